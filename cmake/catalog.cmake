@@ -1,26 +1,46 @@
 # Reads formulations/catalog.def: one generated unit per line and question (reference, bench), so a
 # new formulation needs no other edit, and changing one rebuilds only its own units.
-set(catalog_file "${PROJECT_SOURCE_DIR}/formulations/catalog.def")
 set(catalog_extra "" CACHE FILEPATH "Further catalog lines, for trying a formulation out of tree")
-set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${catalog_file}" ${catalog_extra})
 
-set(CATALOG_TYPES "")
-foreach(file IN ITEMS "${catalog_file}" ${catalog_extra})
+# catalog_read(<file>): appends the types of a catalog to CATALOG_TYPES of the caller. Headers are
+# named relative to the catalog's own folder; in the generated units relative to the project.
+function(catalog_read file)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  cmake_path(GET file PARENT_PATH folder)
+  set(types ${CATALOG_TYPES})
   file(STRINGS "${file}" lines REGEX "^HALFWAY_FORMULATION")
   foreach(line IN LISTS lines)
     if(NOT line MATCHES "^HALFWAY_FORMULATION\\(([A-Za-z0-9_]+), ([a-z0-9_/.]+)\\)$")
       message(FATAL_ERROR "${file}: cannot read '${line}'; expected HALFWAY_FORMULATION(Type, path/header.hpp)")
     endif()
-    list(APPEND CATALOG_TYPES "${CMAKE_MATCH_1}")
-    set(CATALOG_HEADER_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
+    set(type "${CMAKE_MATCH_1}")
+    set(header "${folder}/${CMAKE_MATCH_2}")
+    if(NOT EXISTS "${header}")
+      message(FATAL_ERROR "${file}: '${line}': there is no ${header}")
+    endif()
+    if(type IN_LIST types)
+      message(FATAL_ERROR "${file}: '${line}': ${type} is in the catalog already")
+    endif()
+    cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${header}" inside)
+    if(inside)
+      cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    endif()
+    list(APPEND types "${type}")
+    set(CATALOG_HEADER_${type} "${header}" PARENT_SCOPE)
   endforeach()
+  set(CATALOG_TYPES ${types} PARENT_SCOPE)
+endfunction()
+
+set(CATALOG_TYPES "")
+foreach(file IN ITEMS "${PROJECT_SOURCE_DIR}/formulations/catalog.def" ${catalog_extra})
+  catalog_read("${file}")
 endforeach()
 
 # catalog_units(<result> <template.in> <prefix>): configures one unit per formulation with @TYPE@, @HEADER@.
 function(catalog_units result template prefix)
   set(units "")
   foreach(TYPE IN LISTS CATALOG_TYPES)
-    set(HEADER "formulations/${CATALOG_HEADER_${TYPE}}")
+    set(HEADER "${CATALOG_HEADER_${TYPE}}")
     set(unit "${PROJECT_BINARY_DIR}/generated/${prefix}_${TYPE}.cpp")
     configure_file("${template}" "${unit}" @ONLY)
     list(APPEND units "${unit}")
@@ -28,8 +48,8 @@ function(catalog_units result template prefix)
   set(${result} ${units} PARENT_SCOPE)
 endfunction()
 
-# catalog_list(<result> <template.in> <file>): one unit with @DECLARATIONS@ and @ENTRIES@ made of
-# "<declaration> <function>_<Type>();" and "<function>_<Type>,".
+# catalog_list(<result> <template.in> <declaration> <function> <file>): one unit with @DECLARATIONS@ and
+# @ENTRIES@ made of "<declaration> <function>_<Type>();" and "<function>_<Type>(),".
 function(catalog_list result template declaration function file)
   set(DECLARATIONS "")
   set(ENTRIES "")

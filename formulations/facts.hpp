@@ -1,6 +1,8 @@
 // What a formulation is known to do: declared in its header, measured by verify, shown in the report.
 #pragma once
 
+#include "formulations/pose.hpp"
+
 namespace halfway {
 
 /// The range in which a measured defect must lie. {0, 0}: none, to rounding. Known failures have a
@@ -11,16 +13,28 @@ struct Band {
   constexpr bool holds() const { return high == 0; }
 };
 
-/// Defects are relative and measured by verify on its generic probe poses (fixed seed, anisotropic
-/// stiffness, |theta| <= 0.8 rad). The default is a joint without any defect.
+/// The band round a measured defect, for bodies of a given probe set: a quarter of it either way.
+constexpr Band near(double measured) { return {0.8 * measured, 1.25 * measured}; }
+
+/// One band for each kind of joint.
+struct PerKind {
+  Band angular{}, linear{}, linear_angular{};
+  constexpr const Band& of(Kind kind) const {
+    return kind == Kind::angular ? angular : kind == Kind::linear ? linear : linear_angular;
+  }
+};
+
+/// Defects are relative and measured by verify on its generic probes (fixed seed, anisotropic
+/// stiffness, relative rotations up to 0.8 rad). The default is a joint without any defect.
 struct Facts {
-  Band moment_balance{};       ///< |sum of moments| / (|m_a| + |m_b|), linear/angular joint
-  Band node_order_angular{};   ///< change of the loads when a and b are exchanged, angular joint
-  Band node_order_linear{};    ///< the same, linear joint
-  double loop_slope = 0;       ///< work round a closed loop ~ amplitude^slope, angular; 0: none
-  bool has_fingerprint = true; ///< moment on b = K theta + alpha theta x K theta + beta (..) + O(3)
+  PerKind moment_balance{};     ///< |sum of moments| / (|m_a| + |m_b|)
+  PerKind node_order{};         ///< change of the loads when a and b are exchanged
+  PerKind symmetry{};           ///< of the tangent, but for the commutator of the spins
+  PerKind loop_work{};          ///< net work round a closed loop of amplitude 0.4 over the turnover
+  double loop_slope = 0;        ///< that work ~ amplitude^slope, angular; 0: none
+  bool has_fingerprint = true;  ///< moment on b = K theta + alpha theta x K theta + beta (..) + O(3)
   double alpha = 0.5;
-  double beta = 0;             ///< in units of (k1 - k2 + k3)
+  double beta = 0;              ///< in units of (k1 - k2 + k3)
 };
 
 }  // namespace halfway

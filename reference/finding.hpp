@@ -22,20 +22,20 @@ enum class Comparison {
 enum class Oracle { none, closed_form, fifty_digits, independent, printed, other_program };
 
 struct Finding {
-  std::string name;         ///< formulation/kind/property or scene/formulation/output; unique
-  std::string formulation;  ///< empty when none is meant
-  std::string kind;         ///< angular, linear, linear_angular, or empty
-  std::string subject;      ///< the property or the scene
-  std::string parameter;    ///< where the worst case was: pose, load, angle; for people
+  std::string name{};         ///< formulation/kind/property or scene/formulation/output; unique
+  std::string formulation{};  ///< empty when none is meant
+  std::string kind{};         ///< angular, linear, linear_angular, or empty
+  std::string subject{};      ///< the property or the scene
+  std::string parameter{};    ///< where the worst case was: pose, load, angle; for people
   double value = 0;
-  std::string unit;
+  std::string unit{};
   double expected = 0;
   double low = 0;
   double high = 0;          ///< at_most and equal: the limit
   Comparison comparison = Comparison::at_most;
   Oracle oracle = Oracle::none;
   double uncertainty = 0;   ///< of the expected value, same unit
-  std::string reason;       ///< why the limit is what it is; or why it was left out
+  std::string reason{};       ///< why the limit is what it is; or why it was left out
   Verdict verdict = Verdict::pass;
 };
 

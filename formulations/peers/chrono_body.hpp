@@ -11,9 +11,10 @@ namespace halfway {
 struct ChronoBody {
   static constexpr const char* name = "chrono_body";
   static constexpr const char* stands_for = "Chrono ChLoadBodyBodyBushingGeneric";
-  static constexpr Facts facts{.moment_balance = {0.05, 1},
-                               .node_order_angular = {0.05, 2},
-                               .node_order_linear = {0.1, 10},
+  static constexpr Facts facts{.moment_balance = {.linear = near(0.333), .linear_angular = near(0.186)},
+                               .node_order = {.angular = near(0.607), .linear = near(0.651), .linear_angular = near(2.19)},
+                               .symmetry = {.angular = near(0.682), .linear = near(0.546), .linear_angular = near(0.63)},
+                               .loop_work = {.angular = near(0.19), .linear = near(0.0524), .linear_angular = near(0.19)},
                                .loop_slope = 3,
                                .alpha = 1};
 

@@ -13,7 +13,10 @@ struct DrakeRpy {
   static constexpr const char* name = "drake_rpy";
   static constexpr const char* stands_for = "Drake LinearBushingRollPitchYaw";
   static constexpr bool kBlockDiagonalLawOnly = true;
-  static constexpr Facts facts{.node_order_angular = {0.05, 3}, .beta = 0.5};
+  static constexpr Facts facts{.node_order = {.angular = near(0.793), .linear_angular = near(0.599)},
+                               .symmetry = {.linear = near(0.0458), .linear_angular = near(0.0279)},
+                               .loop_work = {.linear = near(0.00236), .linear_angular = near(0.00229)},
+                               .beta = 0.5};
 
   /// The torque alone derives from a potential; the midpoint force does not.
   static constexpr bool has_potential(Kind kind) { return kind == Kind::angular; }

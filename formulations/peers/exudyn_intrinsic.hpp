@@ -12,7 +12,10 @@ namespace halfway {
 struct ExudynIntrinsic {
   static constexpr const char* name = "exudyn_intrinsic";
   static constexpr const char* stands_for = "Exudyn RigidBodySpringDamper, intrinsicFormulation";
-  static constexpr Facts facts{.moment_balance = {1e-4, 0.1}, .loop_slope = 4};
+  static constexpr Facts facts{.moment_balance = {.linear = near(0.00443), .linear_angular = near(0.00142)},
+                               .symmetry = {.angular = near(0.0558), .linear = near(0.0493), .linear_angular = near(0.0958)},
+                               .loop_work = {.angular = near(0.000307), .linear = near(0.000191), .linear_angular = near(0.00167)},
+                               .loop_slope = 4};
 
   static constexpr bool has_potential(Kind) { return false; }
 

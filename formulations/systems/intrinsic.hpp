@@ -9,7 +9,9 @@ namespace halfway {
 struct Invariant : Family<FrameHalfway, RotationVectorMeasure, Projected> {
   static constexpr const char* name = "invariant";
   static constexpr const char* stands_for = "paper \"invariant\", MBDyn invariant forms";
-  static constexpr Facts facts{.loop_slope = 4};
+  static constexpr Facts facts{.symmetry = {.angular = near(0.0558), .linear_angular = near(0.0381)},
+                               .loop_work = {.angular = near(0.000307), .linear_angular = near(0.000574)},
+                               .loop_slope = 4};
 };
 
 /// Any real xi [10-12, 19, 30]. The facts are those of xi = 0.3, at which verify probes it.
@@ -17,8 +19,9 @@ struct Intrinsic : Family<FrameWeighted, RotationVectorMeasure, Projected> {
   static constexpr const char* name = "intrinsic";
   static constexpr const char* stands_for = "the paper's general form, any xi";
   static constexpr double kProbeXi = 0.3;
-  static constexpr Facts facts{.node_order_angular = {0.02, 1},
-                               .node_order_linear = {0.04, 5},
+  static constexpr Facts facts{.node_order = {.angular = near(0.248), .linear = near(0.571), .linear_angular = near(0.687)},
+                               .symmetry = {.angular = near(0.313), .linear_angular = near(0.202)},
+                               .loop_work = {.angular = near(0.0667), .linear_angular = near(0.0588)},
                                .loop_slope = 3,
                                .alpha = kProbeXi};
   explicit Intrinsic(double xi = kProbeXi) : Family{FrameWeighted{xi}} {}

@@ -8,7 +8,7 @@ namespace halfway {
 struct Jointc : Family<FrameA, LinearMeasure, Conjugate> {
   static constexpr const char* name = "jointc";
   static constexpr const char* stands_for = "Abaqus/Standard JOINTC";
-  static constexpr Facts facts{.node_order_linear = {0.1, 10}};
+  static constexpr Facts facts{.node_order = {.linear = near(2.13), .linear_angular = near(1.27)}};
 };
 
 }  // namespace halfway

@@ -1,0 +1,91 @@
+#include "bench/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halfway::bench {
+namespace {
+
+using reference::Real50;
+
+struct Truth {
+  Eigen::Matrix<Real50, Eigen::Dynamic, 1> loads;
+  Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic> tangent;
+  double strain = 0;  ///< |strain|
+};
+
+Truth truth(const reference::Entry& entry, const Inputs& in, int i, bool with_tangent) {
+  const auto& e = entry.in_real50;
+  const auto a = reference::cast<Real50>(in.a[i]), b = reference::cast<Real50>(in.b[i]);
+  Truth t;
+  t.strain = double(Real50(e.strain(in.spec, a, b).norm()));
+  if (in.spec.kind == Kind::angular) {
+    const auto r = e.angular(in.spec, a, b, with_tangent);
+    t.loads = r.m_b;
+    t.tangent.resize(3, 6);
+    if (with_tangent) t.tangent << r.m_b_wa, r.m_b_wb;
+  } else {
+    const auto r = e.point(in.spec, a, b, with_tangent);
+    t.loads = r.q;
+    if (with_tangent) t.tangent = r.tangent;
+  }
+  return t;
+}
+
+/// Largest entry of |value - exact|; a NaN is an infinite error.
+template <class D, class R>
+double largest_difference(const D& value, const R& exact) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < value.size(); ++i) {
+    const double difference = std::abs(double(Real50(value(i)) - exact(i)));
+    worst = std::max(worst, std::isfinite(difference) ? difference : HUGE_VAL);
+  }
+  return worst;
+}
+
+template <class R>
+double largest_entry(const R& exact) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < exact.size(); ++i) worst = std::max(worst, std::abs(double(exact(i))));
+  return worst;
+}
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+/// A few roundings, multiplied near pi by the poles of cayley and Euler measures (4 / (pi - 3) = 28 in
+/// the tangent at our largest angle): 256 eps. Poses are absolute, so a small strain is what
+/// cancellation leaves of rotations and offsets of order one, each three products from the data: 4 eps
+/// of those, over the strain.
+double limit(double strain) { return 256 * kEps + 4 * kEps / strain; }
+
+/// Worst error of one pose, loads and tangent.
+double error_of(const Evaluated& value, const Truth& t, double stiffness) {
+  const double scale = std::max(stiffness * t.strain, largest_entry(t.loads));
+  const double of_loads = largest_difference(value.loads, t.loads) / scale;
+  if (value.tangent.size() == 0) return of_loads;
+  return std::max(of_loads, largest_difference(value.tangent, t.tangent) / largest_entry(t.tangent));
+}
+
+}  // namespace
+
+Checked compare(std::string_view formulation, const Inputs& in, const std::vector<Evaluated>& values) {
+  const reference::Entry* entry = reference::find_formulation(formulation);
+  if (entry == nullptr) return {0, "not in the registry: nothing to check against"};
+  const double stiffness = std::get<reference::LinearSpec>(in.spec.law).matrix.norm();
+  Checked out;
+  double excess = 1;
+  for (int i = 0; i < int(values.size()); ++i) {
+    const Truth t = truth(*entry, in, i, values[i].tangent.size() > 0);
+    const double error = error_of(values[i], t, stiffness);
+    out.error = std::max(out.error, error);
+    if (error <= excess * limit(t.strain)) continue;
+    excess = error / limit(t.strain);
+    out.message = fmt::format("pose {}: relative error {:.2e}, limit {:.2e}", i, error, limit(t.strain));
+  }
+  return out;
+}
+
+}  // namespace halfway::bench

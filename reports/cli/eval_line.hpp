@@ -1,0 +1,16 @@
+// One line in, one line out: the whole of `halfway eval` but for the loop.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace halfway::reports {
+
+/// Answers a request, {"id", "strain", "loads", "tangent", "energy"}, or {"id", "error"}: one line of
+/// strict JSON without the line end. Numbers have 17 significant digits. Never throws for any text.
+std::string eval_line(std::string_view line);
+
+/// The answer to what could not even be read as a line.
+std::string eval_refusal(std::string_view code, std::string_view message);
+
+}  // namespace halfway::reports

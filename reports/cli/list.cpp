@@ -1,0 +1,41 @@
+// halfway list: what can be run.
+#include "reference/registry.hpp"
+#include "reference/scene.hpp"
+#include "reports/cli/commands.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace halfway::reports {
+namespace {
+
+void list_formulations() {
+  std::size_t width = 0;
+  for (const auto& entry : reference::formulations()) width = std::max(width, entry.name.size());
+  fmt::print("Formulations (each for the kinds angular, linear, linear_angular):\n");
+  for (const auto& entry : reference::formulations()) {
+    fmt::print("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for, entry.needs_xi ? "; needs xi" : "",
+               entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : "");
+  }
+}
+
+void list_scenes() {
+  const auto scenes = reference::canonical_scenes();
+  std::size_t width = 0;
+  for (const auto& scene : scenes) width = std::max(width, scene.name.size());
+  fmt::print("\nScenes (in {}):\n", reference::scenes_folder().string());
+  for (const auto& scene : scenes) fmt::print("  {:<{}}  {}\n", scene.name, width, scene.title);
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("list", "List the formulations and the scenes");
+  command->callback([] {
+    list_formulations();
+    list_scenes();
+  });
+}
+
+}  // namespace halfway::reports

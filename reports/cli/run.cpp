@@ -1,0 +1,90 @@
+// halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
+#include "reports/cli/commands.hpp"
+#include "reports/cli/run_chart.hpp"
+#include "reports/cli/run_choices.hpp"
+#include "reports/cli/run_files.hpp"
+#include "reports/cli/suggest.hpp"
+#include "reports/writers/files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace halfway::reports {
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::vector<std::string> formulations;
+  std::vector<double> xis;
+  std::vector<std::string> formats;
+  std::string folder = "out/run";
+};
+
+void check_formats(const std::vector<std::string>& formats) {
+  const std::vector<std::string_view> allowed = {"csv", "json", "svg"};
+  for (const std::string& format : formats) {
+    if (std::ranges::find(allowed, format) == allowed.end())
+      throw BadInput(unknown_name("format", format, allowed));
+  }
+}
+
+std::vector<reference::Curve> solve_all(const reference::Scene& scene,
+                                        const std::vector<reference::Choice>& choices) {
+  std::vector<reference::Curve> curves;
+  for (const auto& choice : choices) {
+    curves.push_back(reference::solve_scene(scene, *choice.entry, choice.xi));
+    fmt::print(stderr, "[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
+               curves.back().outcome);
+  }
+  return curves;
+}
+
+void write_curves(const RunOptions& options, const reference::Scene& scene,
+                  const std::vector<reference::Curve>& curves) {
+  const auto folder = std::filesystem::path(options.folder) / scene.name;
+  const auto wants = [&](std::string_view format) {
+    return options.formats.empty() || std::ranges::find(options.formats, format) != options.formats.end();
+  };
+  const auto write = [&](const char* name, const std::string& content) {
+    write_file(folder / name, content);
+    fmt::print("wrote {}\n", (folder / name).string());
+  };
+  if (wants("csv")) write("curve.csv", curves_csv(curves));
+  if (wants("json")) write("curve.json", curves_json(scene, curves));
+  if (wants("svg")) write("curve.svg", curves_svg(scene, curves));
+}
+
+void run(const RunOptions& options) {
+  check_formats(options.formats);
+  const reference::Scene scene = find_scene(options.scene);
+  const auto choices = run_choices(scene, options.formulations, options.xis);
+  fmt::print("{}: {}\n", scene.name, scene.title);
+  std::fflush(stdout);  // before the progress on stderr
+  const auto curves = solve_all(scene, choices);
+  fmt::print("{}", curves_table(curves));
+  write_curves(options, scene, curves);
+  if (std::ranges::none_of(curves, &reference::Curve::converged)) {
+    throw FailedRun(
+        fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Solve one scene and write its curves");
+  command->add_option("scene", options->scene, "Name of a canonical scene, or a TOML file")->required();
+  command->add_option("--formulation", options->formulations, "Formulations, separated by commas")
+      ->delimiter(',');
+  command->add_option("--xi", options->xis, "Values of the free xi, separated by commas")->delimiter(',');
+  command->add_option("--format", options->formats, "csv, json, svg; default: all")->delimiter(',');
+  command->add_option("--out", options->folder, "Folder; the curves go to FOLDER/SCENE/")
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,15 @@
+// The curves of one scene as a chart.
+#pragma once
+
+#include "reference/solve.hpp"
+
+#include <string>
+#include <vector>
+
+namespace halfway::reports {
+
+/// A self-contained SVG: one panel per output over the load factor, one polyline per curve, axes with
+/// ticks and units, one legend.
+std::string curves_svg(const reference::Scene& scene, const std::vector<reference::Curve>& curves);
+
+}  // namespace halfway::reports

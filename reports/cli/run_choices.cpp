@@ -1,0 +1,71 @@
+#include "reports/cli/run_choices.hpp"
+
+#include "reports/cli/commands.hpp"
+#include "reports/cli/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfway::reports {
+namespace {
+
+const reference::Entry& entry_of(const std::string& name) {
+  if (const auto* entry = reference::find_formulation(name)) return *entry;
+  throw BadInput(unknown_name("formulation", name, formulation_names()));
+}
+
+bool looks_like_file(const std::string& text) {
+  return text.ends_with(".toml") || text.find('/') != std::string::npos;
+}
+
+}  // namespace
+
+reference::Scene find_scene(const std::string& name_or_file) {
+  if (looks_like_file(name_or_file)) {
+    if (!std::filesystem::is_regular_file(name_or_file))
+      throw BadInput(name_or_file + ": no such scene file");
+    return reference::read_scene(name_or_file);
+  }
+  const auto scenes = reference::canonical_scenes();
+  std::vector<std::string_view> names;
+  for (const auto& scene : scenes) {
+    if (scene.name == name_or_file) return scene;
+    names.push_back(scene.name);
+  }
+  throw BadInput(unknown_name("scene", name_or_file, names) + ", or a file NAME.toml");
+}
+
+std::vector<reference::Choice> run_choices(const reference::Scene& scene,
+                                           const std::vector<std::string>& names,
+                                           const std::vector<double>& xis) {
+  for (double xi : xis) {
+    if (!std::isfinite(xi)) throw BadInput(fmt::format("--xi {}: must be a finite number", xi));
+  }
+  std::vector<const reference::Entry*> entries;
+  for (const std::string& name : names) entries.push_back(&entry_of(name));
+  if (names.empty()) {
+    for (const auto& choice : reference::choices(scene)) {
+      if (std::ranges::find(entries, choice.entry) == entries.end()) entries.push_back(choice.entry);
+    }
+  }
+  const bool has_free_xi = std::ranges::any_of(entries, [](const auto* entry) { return entry->needs_xi; });
+  if (!xis.empty() && !has_free_xi) throw BadInput("--xi: none of the formulations to run has a free xi");
+
+  std::vector<reference::Choice> out;
+  for (const auto* entry : entries) {
+    if (!entry->needs_xi) {
+      out.push_back({entry, entry->probe_xi});
+      continue;
+    }
+    const auto& values = xis.empty() ? scene.xis : xis;
+    if (values.empty()) {
+      throw BadInput(fmt::format("{} needs --xi: scene {} names no value", entry->name, scene.name));
+    }
+    for (double xi : values) out.push_back({entry, xi});
+  }
+  return out;
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,74 @@
+#include "reports/cli/run_files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace halfway::reports {
+namespace {
+
+bool has_free_xi(const reference::Curve& curve) {
+  const auto* entry = reference::find_formulation(curve.formulation);
+  return entry && entry->needs_xi;
+}
+
+}  // namespace
+
+std::string curve_label(const reference::Curve& curve) {
+  return has_free_xi(curve) ? fmt::format("{} xi={:g}", curve.formulation, curve.xi) : curve.formulation;
+}
+
+std::string curves_csv(const std::vector<reference::Curve>& curves) {
+  if (curves.empty()) return "";
+  std::string out = fmt::format("formulation,xi,{}\n", fmt::join(curves.front().columns, ","));
+  for (const auto& curve : curves) {
+    const std::string xi = has_free_xi(curve) ? fmt::format("{:.17g}", curve.xi) : "";
+    for (const auto& row : curve.rows) {
+      fmt::format_to(std::back_inserter(out), "{},{},{:.17g}\n", curve.formulation, xi, fmt::join(row, ","));
+    }
+  }
+  return out;
+}
+
+std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves) {
+  nlohmann::ordered_json out = {{"schema", "halfway-run-1"},
+                                {"scene", scene.name},
+                                {"title", scene.title},
+                                {"curves", nlohmann::ordered_json::array()}};
+  for (const auto& curve : curves) {
+    nlohmann::ordered_json item = {{"formulation", curve.formulation}};
+    if (has_free_xi(curve)) item["xi"] = curve.xi;
+    item["converged"] = curve.converged;
+    item["outcome"] = curve.outcome;
+    item["iterations"] = curve.iterations;
+    item["residual"] = curve.residual;
+    item["columns"] = curve.columns;
+    item["rows"] = curve.rows;
+    out["curves"].push_back(std::move(item));
+  }
+  return out.dump(1) + "\n";
+}
+
+std::string curves_table(const std::vector<reference::Curve>& curves) {
+  if (curves.empty()) return "";
+  std::size_t width = 11;
+  for (const auto& curve : curves) width = std::max(width, curve_label(curve).size());
+  std::string out = fmt::format("{:<{}}", "formulation", width);
+  for (const auto& column : curves.front().columns)
+    fmt::format_to(std::back_inserter(out), " {:>15}", column);
+  out += "  iterations  residual  outcome\n";
+  for (const auto& curve : curves) {
+    fmt::format_to(std::back_inserter(out), "{:<{}}", curve_label(curve), width);
+    for (std::size_t i = 0; i < curve.columns.size(); ++i) {
+      const std::string value = curve.rows.empty() ? "-" : fmt::format("{:.9g}", curve.rows.back()[i]);
+      fmt::format_to(std::back_inserter(out), " {:>15}", value);
+    }
+    fmt::format_to(std::back_inserter(out), "  {:>10}  {:>8.1e}  {}\n", curve.iterations, curve.residual,
+                   curve.outcome);
+  }
+  return out;
+}
+
+}  // namespace halfway::reports

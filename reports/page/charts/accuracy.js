@@ -1,0 +1,88 @@
+// The main chart: error against time, one point per formulation and kind, with the Pareto front of each kind.
+import {Chart, isNarrow} from '../chart.js';
+import {front, KINDS} from '../data.js';
+import {choice, h, swatch, toggles} from '../dom.js';
+import {full, nanoseconds, short} from '../format.js';
+import {KIND_SHAPES, look} from '../palette.js';
+
+const WHAT = [{key: 'residual', label: 'residual'}, {key: 'residual_tangent', label: 'residual + tangent'}];
+const ERROR = [{key: 'modelling', label: 'modelling'}, {key: 'numerical', label: 'numerical'}];
+const X_TITLE = {residual: 'time per residual, ns (less is faster)', residual_tangent: 'time per residual + tangent, ns (less is faster)'};
+const Y_TITLE = {modelling: 'modelling error, relative (less is truer)', numerical: 'numerical error, relative (less is truer)'};
+const AT_DECADES = {condition: {test: 'power10(datum.value) != ""', value: 1}, value: 0};
+const KINDS_ORDER = KINDS.map((k) => k.key);
+
+/** Puts the names beside the points where there is room; the label transform is Vega's, not Vega-Lite's. */
+function withLabels(spec) {
+  const group = spec.marks.find((m) => m.name === 'points_marks') ? spec : null;
+  if (!group) throw new Error('accuracy chart: the point layer is missing');
+  group.marks.push({
+    type: 'text', interactive: false, from: {data: 'points_marks'},
+    encode: {enter: {text: {field: 'datum.formulation'}, fontSize: {value: isNarrow() ? 11 : 12}, fill: {value: 'var(--ink)'}}},
+    transform: [{type: 'label', size: {signal: '[width, height]'}, avoidMarks: ['points_marks', 'front_pathgroup'],
+                 anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'], offset: [5]}]
+  });
+  return spec;
+}
+
+function spec(points, what, error) {
+  const fronts = KINDS_ORDER.flatMap((kind) => front(points.filter((p) => p.kind === kind)));
+  const rows = points.map((p) => ({...p, front: fronts.includes(p) ? 'yes' : 'no', shown_value: full(p.value),
+                                   shown_time: `${nanoseconds(p.ns)} ns (spread ${short(100 * p.spread, 1)} %)`}));
+  const names = [...new Set(points.map((p) => p.formulation))];
+  const x = {field: 'ns', type: 'quantitative', scale: {type: 'log', nice: false, padding: 28}, title: X_TITLE[what],
+             axis: {format: '~r', tickCount: 6}};
+  const y = {field: 'error', type: 'quantitative', scale: {type: 'log', padding: 20}, title: Y_TITLE[error],
+             axis: {labelExpr: 'power10(datum.value)', tickCount: 8, gridOpacity: AT_DECADES, tickOpacity: AT_DECADES}};
+  const color = {field: 'formulation', type: 'nominal', legend: null, scale: {domain: names, range: names.map((n) => look(n).color)}};
+  return {
+    height: isNarrow() ? 380 : 600,
+    layer: [
+      {name: 'front', data: {values: fronts}, mark: {type: 'line', interpolate: 'step-after', strokeWidth: 1.5, strokeDash: [5, 4], color: 'var(--muted)'},
+       encoding: {x, y, detail: {field: 'kind'}, order: {field: 'ns'}}},
+      {name: 'points', data: {values: rows}, mark: {type: 'point', size: 110, strokeWidth: 2, opacity: 1},
+       encoding: {x, y, color,
+                  shape: {field: 'kind', type: 'nominal', legend: null, scale: {domain: KINDS_ORDER, range: KINDS_ORDER.map((k) => KIND_SHAPES[k])}},
+                  fill: {condition: {test: 'datum.floored', value: 'var(--paper)'}, field: 'formulation', type: 'nominal', legend: null,
+                         scale: {domain: names, range: names.map((n) => look(n).color)}},
+                  tooltip: [{field: 'formulation', title: 'formulation'}, {field: 'stands_for', title: 'stands for'},
+                            {field: 'kind_label', title: 'kind'}, {field: 'shown_time', title: 'time'},
+                            {field: 'shown_value', title: 'error'}, {field: 'floor', title: 'known to', format: '.2g'},
+                            {field: 'front', title: 'on the front'}, {field: 'note', title: 'measured'}]}}
+    ]
+  };
+}
+
+function footnote(points, missing, error) {
+  const floored = points.filter((p) => p.floored);
+  const what = error === 'modelling' ? 'the uncertainty of the truth itself' : 'half a unit of rounding';
+  const names = (list) => [...new Set(list.map((m) => m.name ?? m.formulation))].join(', ');
+  return [
+    'Dashed: Pareto front of each kind; no point of that kind is both faster and truer than one on it. ',
+    floored.length ? `Hollow: the error is below ${what} and is drawn at that floor (${names(floored)}). ` : '',
+    missing.length ? h('span', {}, `Not drawn: ${names(missing)}; reasons under `, h('a', {href: '#left-out'}, 'Failed or left out'), '.') : ''
+  ];
+}
+
+/** The figure; `kind` is the kind shown first. */
+export function accuracyFigure(results, kind) {
+  const state = {what: 'residual', error: 'modelling', kinds: new Set([kind])};
+  if (results.accuracy('residual', 'modelling').points.length === 0) state.error = 'numerical';
+  const chart = new Chart('accuracy', 'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table beside it holds the same numbers.');
+  const note = h('figcaption', {'aria-live': 'polite'});
+
+  const draw = () => {
+    const {points, missing} = results.accuracy(state.what, state.error);
+    const shown = points.filter((p) => state.kinds.has(p.kind));
+    note.replaceChildren(...footnote(shown, missing.filter((m) => state.kinds.has(m.kind)), state.error).filter(Boolean));
+    if (shown.length) chart.draw(spec(shown, state.what, state.error), withLabels);
+    else chart.empty('no formulation has both a time and an error for this choice.');
+  };
+  const legend = toggles('Kinds of joint shown', KINDS.map((k) => ({...k, on: state.kinds.has(k.key), swatch: swatch({color: 'var(--muted)', shape: KIND_SHAPES[k.key]})})),
+    (keys) => { state.kinds = new Set(keys); draw(); });
+  const controls = h('div', {class: 'controls'}, legend,
+    choice('Time of', WHAT, state.what, (key) => { state.what = key; draw(); }),
+    choice('Error', ERROR, state.error, (key) => { state.error = key; draw(); }));
+  draw();
+  return h('figure', {class: 'main-chart'}, h('h2', {id: 'accuracy'}, 'Accuracy against speed'), controls, chart.box, note);
+}

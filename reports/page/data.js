@@ -1,0 +1,103 @@
+// The results with the look-ups that several sections need.
+import {isNumber} from './format.js';
+
+export const KINDS = [
+  {key: 'angular', label: 'angular'},
+  {key: 'linear', label: 'linear'},
+  {key: 'linear_angular', label: 'linear/angular'}
+];
+export const kindLabel = (key) => KINDS.find((k) => k.key === key)?.label ?? key;
+
+export const VERDICTS = {
+  pass: {label: 'pass', mark: '✓'},
+  known_failure: {label: 'known failure', mark: '≈'},
+  fail: {label: 'FAIL', mark: '✗'},
+  left_out: {label: 'left out', mark: '–'}
+};
+
+export const ORACLES = {
+  none: 'no reference',
+  closed_form: 'closed form',
+  fifty_digits: 'same formula at 50 digits',
+  independent: 'independent road',
+  printed: 'printed in the paper',
+  other_program: 'another program'
+};
+
+export class Results {
+  constructor(json) {
+    if (json.schema !== 'halfway-results' || json.version !== 1) {
+      throw new Error(`results.json: schema ${json.schema} version ${json.version}; this page reads halfway-results version 1`);
+    }
+    Object.assign(this, json);
+    this.byName = new Map(this.findings.map((f) => [f.name, f]));
+    this.timed = new Map(this.timings.map((t) => [`${t.formulation}/${t.kind}/${t.what}`, t]));
+    this.infos = new Map(this.formulations.map((f) => [f.name, f]));
+  }
+
+  finding(...parts) { return this.byName.get(parts.join('/')); }
+
+  timing(formulation, kind, what) { return this.timed.get(`${formulation}/${kind}/${what}`); }
+
+  count(verdict) { return this.findings.filter((f) => f.verdict === verdict).length; }
+
+  /** The name of a curve's series: free-xi formulations carry their xi. */
+  series(curve) {
+    return this.infos.get(curve.formulation)?.needs_xi ? `${curve.formulation} ξ = ${curve.xi}` : curve.formulation;
+  }
+
+  /** Curves of the scene whose name begins with `prefix`. */
+  curvesOf(prefix) { return this.curves.filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`)); }
+
+  /** Other programs' and printed curves of the same scene. */
+  referencesOf(prefix) {
+    return (this.paper?.reference_curves ?? []).filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`));
+  }
+
+  /** One point per formulation and kind; `missing` says why a point cannot be drawn. */
+  accuracy(what, error) {
+    const points = [];
+    const missing = [];
+    for (const {name, stands_for} of this.formulations) {
+      for (const {key: kind} of KINDS) {
+        const timing = this.timing(name, kind, what);
+        const measured = error === 'modelling' ? this.modelling(name, kind) : this.numerical(timing);
+        const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !isNumber(timing?.ns) ? 'not timed' : measured.reason;
+        if (reason) { missing.push({name, kind, reason}); continue; }
+        const floored = !(measured.value > measured.floor);
+        points.push({formulation: name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
+                     error: Math.max(measured.value, measured.floor), value: measured.value, floor: measured.floor, floored,
+                     note: measured.note});
+      }
+    }
+    return {points, missing};
+  }
+
+  modelling(name, kind) {
+    const f = this.finding(name, kind, 'modelling_error');
+    if (!f) return {reason: 'no modelling error measured'};
+    if (f.verdict === 'left_out') return {reason: f.reason};
+    if (!isNumber(f.value)) return {reason: 'its modelling error is not a number'};
+    const floor = isNumber(f.uncertainty) ? f.uncertainty : 0;
+    if (!(Math.max(f.value, floor) > 0)) return {reason: 'its error and the uncertainty of the truth are both 0: no place on a log axis'};
+    return {value: f.value, floor, note: f.reason};
+  }
+
+  numerical(timing) {
+    if (!isNumber(timing?.error)) return {reason: 'no numerical error measured'};
+    return {value: timing.error, floor: 2 ** -54, note: 'against 50 digits of the same formula'};
+  }
+}
+
+/** Points that no other point of the list beats in both time and error, by time. */
+export function front(points) {
+  const byTime = [...points].sort((a, b) => a.ns - b.ns || a.error - b.error);
+  let best = Infinity;
+  return byTime.filter((p) => p.error < best && (best = p.error, true));
+}
+
+/** Does a property hold for a formulation and kind? 'yes', 'no', or undefined when it was not measured. */
+export function holds(finding) {
+  if (!finding || finding.verdict === 'left_out') return undefined;
+  return finding.verdict === 'pass' ? 'yes' : 'no';
+}

@@ -1,0 +1,29 @@
+// A check: a named measurement that returns findings. verify runs them under Boost.Test and ctest,
+// reports runs them for the page; both see the same list.
+#pragma once
+
+#include "reference/finding.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace halfway::verify {
+
+using reference::Comparison;
+using reference::Finding;
+using reference::Oracle;
+using reference::Verdict;
+
+struct Check {
+  std::string name;   ///< formulation/kind/property, identities/..., or scene/formulation
+  std::string label;  ///< ctest label: identities, properties, cases, peers, mutants
+  std::function<std::vector<Finding>()> run;
+};
+
+using Checks = std::vector<Check>;
+
+/// All checks of checks.def, in its order. A check = one file in checks/ and its line there.
+Checks all_checks();
+
+}  // namespace halfway::verify

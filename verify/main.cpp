@@ -1,0 +1,98 @@
+// Runs the checks under Boost.Test, one test case per check, and prints what each measured.
+//   halfway_verify                  all checks
+//   halfway_verify --check NAME     one check (what ctest calls)
+//   halfway_verify --list           "label name" of each check
+#define BOOST_TEST_NO_MAIN
+#define BOOST_TEST_DYN_LINK
+#include <boost/test/unit_test.hpp>
+
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+namespace {
+
+using halfway::verify::Check;
+using halfway::verify::Comparison;
+using halfway::verify::Finding;
+using halfway::verify::Verdict;
+
+std::string limits(const Finding& f) {
+  switch (f.comparison) {
+    case Comparison::at_most: return fmt::format("limit {:.3g}", f.high);
+    case Comparison::within: return fmt::format("band {:.3g} ... {:.3g}", f.low, f.high);
+    case Comparison::equal: return fmt::format("expected {:.17g} +- {:.3g}", f.expected, f.high);
+    default: return "reported";
+  }
+}
+
+std::string line(const Finding& f) {
+  return fmt::format("{}: {} {:.17g} {} ({}; {}) {}{}", to_string(f.verdict), f.name, f.value, f.unit, limits(f),
+                     to_string(f.oracle), f.parameter.empty() ? "" : "worst at " + f.parameter,
+                     f.reason.empty() ? "" : "; " + f.reason);
+}
+
+void run(const Check& check) {
+  const auto findings = check.run();
+  BOOST_TEST(!findings.empty(), check.name << " measured nothing");
+  for (const Finding& f : findings) {
+    std::puts(line(f).c_str());
+    if (std::isfinite(f.value)) {
+      fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name, f.value);
+    }
+    BOOST_TEST((f.verdict != Verdict::fail), line(f));
+  }
+}
+
+/// Boost.Test reads '/' in a name as a path of suites: each part but the last becomes a suite.
+void add(const Check& check) {
+  using namespace boost::unit_test;
+  static std::map<std::string, test_suite*> suites;
+  test_suite* suite = &framework::master_test_suite();
+  std::string path, rest = check.name;
+  for (std::size_t slash; (slash = rest.find('/')) != std::string::npos; rest = rest.substr(slash + 1)) {
+    path += rest.substr(0, slash) + "/";
+    test_suite*& child = suites[path];
+    if (child == nullptr) {
+      child = BOOST_TEST_SUITE(rest.substr(0, slash));
+      suite->add(child);
+    }
+    suite = child;
+  }
+  suite->add(make_test_case([check] { run(check); }, rest, __FILE__, __LINE__));
+}
+
+std::string only;  // set by --check
+
+bool init() {
+  boost::unit_test::framework::master_test_suite().p_name.value = "verify";
+  bool found = only.empty();
+  for (const Check& check : halfway::verify::all_checks()) {
+    if (!only.empty() && check.name != only) continue;
+    add(check);
+    found = true;
+  }
+  if (!found) std::fprintf(stderr, "halfway_verify: no check is called '%s'; see --list\n", only.c_str());
+  return found;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "--list") == 0) {
+    for (const Check& check : halfway::verify::all_checks()) fmt::print("{} {}\n", check.label, check.name);
+    return 0;
+  }
+  if (argc > 2 && std::strcmp(argv[1], "--check") == 0) {
+    only = argv[2];
+    argv[2] = argv[0];
+    argc -= 2;
+    argv += 2;
+  }
+  return boost::unit_test::unit_test_main(&init, argc, argv);
+}
