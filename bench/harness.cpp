@@ -70,7 +70,8 @@ class Collector : public benchmark::BenchmarkReporter {
 
   void ReportRuns(const std::vector<Run>& runs) override {
     if (json_ != nullptr) json_->ReportRuns(runs);
-    if (runs.empty()) return;
+    // The aggregates of the repetitions come in a second call: medians are taken here.
+    if (runs.empty() || runs.front().run_type == Run::RT_Aggregate) return;
     const Case& c = *cases_.at(runs.front().run_name.function_name);
     Timing timing;
     timing.name = c.name, timing.formulation = c.formulation, timing.kind = c.kind, timing.what = c.what;

@@ -1,7 +1,7 @@
 // Rotations: exponential and logarithm, their Jacobian Gamma, half rotations, Cayley, quaternions.
 //
 // Accuracy contract, for float, double, long double, multiprecision and dual scalars, over every
-// decade of phi from 1e-16 to pi - 1e-12; each line is a row of verify/so3_table.cpp:
+// decade of phi from 1e-16 to pi - 1e-12; each line is a row of verify/checks/so3_table.cpp:
 //   exp, matrix, half, cayley          4 eps, each entry, absolute
 //   log, quaternion, gamma,
 //   gamma_inverse, cayley_inverse      4 eps of the largest entry of the result

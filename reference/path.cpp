@@ -75,14 +75,37 @@ template <class T> const Outcome<T>& Path<T>::advance(double factor) {
   return state_;
 }
 
-template <class T> T Path<T>::output(const std::string& name) const {
+template <class T> T Path<T>::component(const std::string& name, const Vec3<T>& theta, const Vec3<T>& u) {
   const int axis = name.empty() ? -1 : name.back() - 'x';
-  const Mat3<T> to_scene = clamped_.R.transpose();
-  if (axis >= 0 && axis <= 2 && name.starts_with("theta_")) {
-    return (to_scene * so3::log<T>(state_.b.R * start_.R.transpose()))[axis];
-  }
-  if (axis >= 0 && axis <= 2 && name.starts_with("u_")) return (to_scene * (state_.b.x - start_.x))[axis];
+  if (axis >= 0 && axis <= 2 && name.starts_with("theta_")) return theta[axis];
+  if (axis >= 0 && axis <= 2 && name.starts_with("u_")) return u[axis];
   throw std::invalid_argument("unknown output " + name);
+}
+
+template <class T> T Path<T>::output(const std::string& name) const {
+  const Mat3<T> to_scene = clamped_.R.transpose();
+  return component(name, to_scene * so3::log<T>(state_.b.R * start_.R.transpose()), to_scene * (state_.b.x - start_.x));
+}
+
+template <class T> template <Kind kind>
+Eigen::Matrix<T, unknown_count(kind), 1> Path<T>::linear_response(const T& factor) const {
+  const auto load = applied<kind>(load_, factor, start_).load;
+  return internal<kind>(start_).tangent.partialPivLu().solve(load);
+}
+
+template <class T> T Path<T>::linear_output(const std::string& name, double factor) const {
+  const Mat3<T> to_scene = clamped_.R.transpose();
+  Vec3<T> theta = Vec3<T>::Zero(), u = Vec3<T>::Zero();
+  switch (spec_.kind) {
+    case Kind::angular: theta = linear_response<Kind::angular>(T(factor)); break;
+    case Kind::linear: u = linear_response<Kind::linear>(T(factor)); break;
+    case Kind::linear_angular: {
+      const auto both = linear_response<Kind::linear_angular>(T(factor));
+      u = both.template head<3>();
+      theta = both.template tail<3>();
+    }
+  }
+  return component(name, to_scene * theta, to_scene * u);
 }
 
 template class Path<double>;

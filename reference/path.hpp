@@ -31,7 +31,15 @@ template <class T> class Path {
   /// displacement, m), both from the unstrained pose and in the axes of the scene.
   T output(const std::string& name) const;
 
+  /// The same output of the purely linear analysis: tangent of the unstrained pose, load of the
+  /// unstrained pose. All formulations share it.
+  T linear_output(const std::string& name, double factor) const;
+
  private:
+  /// In the axes of the scene: the component of theta or u that the name asks for.
+  static T component(const std::string& name, const Vec3<T>& theta, const Vec3<T>& u);
+  template <Kind kind> Eigen::Matrix<T, unknown_count(kind), 1> linear_response(const T& factor) const;
+
   template <Kind kind> Balance<T, unknown_count(kind)> internal(const Pose<T>& moving) const;
   template <Kind kind> Outcome<T> follow_to(const T& factor) const;
 

@@ -1,5 +1,7 @@
 #include "reference/scene.hpp"
 
+#include "reference/solve.hpp"
+
 #include "reference/registry.hpp"
 #include "reference/scene_joint.hpp"
 #include "reference/scene_references.hpp"
@@ -69,12 +71,18 @@ void read_wanted(const Field& file, Scene& scene) {
   }
   const auto names = file.find("formulations");
   if (!names) return;
-  scene.formulations = names->distinct(formulation_names());
+  auto allowed = formulation_names();
+  allowed.emplace_back(kLinearized);
+  scene.formulations = names->distinct(allowed);
   if (scene.formulations.empty())
     names->refuse("is empty", "at least one name, or no such key for all formulations");
   for (const std::string& name : scene.formulations) {
-    if (!find_formulation(name)->needs_xi || !scene.xis.empty()) continue;
-    names->refuse(fmt::format("names {}, which needs a xi", name), "xis = [...] beside it");
+    const Entry* entry = find_formulation(name);
+    if (entry && entry->needs_xi && scene.xis.empty())
+      names->refuse(fmt::format("names {}, which needs a xi", name), "xis = [...] beside it");
+    if (entry && !accepts_law(*entry, scene.joint))
+      names->refuse(fmt::format("names {}, which takes no coupling of translation and rotation", name),
+                    "a block-diagonal law, or other formulations");
   }
 }
 

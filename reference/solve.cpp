@@ -19,21 +19,17 @@ std::string describe(const Outcome<double>& state) {
   }
 }
 
-}  // namespace
+template <class Value> std::vector<double> row_of(const Scene& scene, double factor, const Value& value) {
+  std::vector<double> row{factor};
+  for (const std::string& output : scene.outputs) row.push_back(value(output));
+  return row;
+}
 
-Curve solve_scene(const Scene& scene, const Entry& entry, double xi) {
-  Curve curve;
-  curve.scene = scene.name;
-  curve.formulation = entry.name;
-  curve.xi = xi;
-  curve.columns = {"factor"};
-  curve.columns.insert(curve.columns.end(), scene.outputs.begin(), scene.outputs.end());
-
-  Path<double> path(scene, entry, xi);
+void follow_path(const Scene& scene, const Entry& entry, Curve& curve) {
+  Path<double> path(scene, entry, curve.xi);
   const auto add_row = [&] {
-    std::vector<double> row{path.state().factor};
-    for (const std::string& output : scene.outputs) row.push_back(path.output(output));
-    curve.rows.push_back(row);
+    curve.rows.push_back(
+        row_of(scene, path.state().factor, [&](const std::string& output) { return path.output(output); }));
   };
   add_row();
   for (int i = 1; i <= scene.points && path.state().status == Status::converged; ++i) {
@@ -43,7 +39,40 @@ Curve solve_scene(const Scene& scene, const Entry& entry, double xi) {
   curve.outcome = describe(path.state());
   curve.iterations = path.state().iterations;
   curve.residual = path.state().residual;
+}
+
+/// A straight line: two points. Any formulation gives it.
+void linear_path(const Scene& scene, Curve& curve) {
+  const Path<double> path(scene, formulations().front(), curve.xi);
+  for (double factor : {0.0, scene.factor_end}) {
+    curve.rows.push_back(
+        row_of(scene, factor, [&](const std::string& output) { return path.linear_output(output, factor); }));
+  }
+  curve.converged = true;
+  curve.outcome = "converged";
+}
+
+}  // namespace
+
+Curve solve_scene(const Scene& scene, const Choice& choice) {
+  Curve curve;
+  curve.scene = scene.name;
+  curve.formulation = choice.entry ? choice.entry->name : kLinearized;
+  curve.xi = choice.xi;
+  curve.columns = {"factor"};
+  curve.columns.insert(curve.columns.end(), scene.outputs.begin(), scene.outputs.end());
+  if (choice.entry) {
+    follow_path(scene, *choice.entry, curve);
+  } else {
+    linear_path(scene, curve);
+  }
   return curve;
+}
+
+bool accepts_law(const Entry& entry, const JointSpec& spec) {
+  const auto* linear = std::get_if<LinearSpec>(&spec.law);
+  if (!entry.block_diagonal_law_only || spec.kind != Kind::linear_angular || linear == nullptr) return true;
+  return linear->matrix.topRightCorner(3, 3).isZero(0) && linear->matrix.bottomLeftCorner(3, 3).isZero(0);
 }
 
 std::vector<Choice> choices(const Scene& scene) {
@@ -51,12 +80,15 @@ std::vector<Choice> choices(const Scene& scene) {
   for (const Entry& entry : formulations()) {
     const bool wanted =
         scene.formulations.empty() || std::ranges::find(scene.formulations, entry.name) != scene.formulations.end();
-    if (!wanted) continue;
+    if (!wanted || !accepts_law(entry, scene.joint)) continue;
     if (!entry.needs_xi) {
       out.push_back({&entry, entry.probe_xi});
     } else {
       for (double xi : scene.xis) out.push_back({&entry, xi});
     }
+  }
+  if (scene.formulations.empty() || std::ranges::find(scene.formulations, kLinearized) != scene.formulations.end()) {
+    out.push_back({nullptr, 0.5});
   }
   return out;
 }

@@ -22,15 +22,23 @@ struct Curve {
   double residual = 0;                        ///< at the last point, relative to the load
 };
 
-/// Solves `scene` with one formulation (and xi, where it has one). Never throws for a path that
-/// ends early: the outcome says so.
-Curve solve_scene(const Scene& scene, const Entry& entry, double xi);
+/// The purely linear analysis: it exists for scenes only and is no entry of the catalog.
+inline constexpr const char* kLinearized = "linearized";
 
-/// The formulations (and xi) that a scene asks for: {entry, xi}, the catalog's order.
+/// A formulation and its xi, where it has one; no entry stands for kLinearized.
 struct Choice {
   const Entry* entry;
   double xi;
 };
+
+/// What a scene asks for, in the catalog's order, the linear analysis last; formulations that refuse
+/// the scene's law (accepts_law) are left out.
 std::vector<Choice> choices(const Scene& scene);
+
+/// Does the formulation take this law? drake_rpy refuses coupling of translation and rotation.
+bool accepts_law(const Entry& entry, const JointSpec& spec);
+
+/// Solves `scene` with one choice. Never throws for a path that ends early: the outcome says so.
+Curve solve_scene(const Scene& scene, const Choice& choice);
 
 }  // namespace halfway::reference

@@ -1,8 +1,8 @@
 // halfway report: verifies, solves the scenes, times, and writes the page and its data.
 #include "bench/timing.hpp"
 #include "reports/cli/commands.hpp"
-#include "reports/cli/paper_facts.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/writers/paper.hpp"
 #include "reports/writers/writers.hpp"
 #include "verify/check.hpp"
 
@@ -61,7 +61,7 @@ void solve_all(Results& results) {
   int done = 0;
   for (const auto& scene : scenes) {
     for (const auto& choice : reference::choices(scene)) {
-      const auto curve = reference::solve_scene(scene, *choice.entry, choice.xi);
+      const auto curve = reference::solve_scene(scene, choice);
       if (!curve.converged) {
         results.left_out.push_back({fmt::format("{}/{}, the rest of the path", scene.name, curve.formulation), curve.outcome});
       }
@@ -95,7 +95,7 @@ void report(const ReportOptions& options) {
   Results results;
   results.command = options.quick ? "./halfway report --quick" : "./halfway report";
   results.formulations = formulation_infos();
-  results.paper = paper_facts();
+  results.paper = paper_record();
   results.durations["verify"] = timed([&] { verify_all(results); });
   results.durations["solve"] = timed([&] { solve_all(results); });
   results.durations["time"] = timed([&] { time_all(options, results); });

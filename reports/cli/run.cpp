@@ -35,7 +35,7 @@ std::vector<reference::Curve> solve_all(const reference::Scene& scene,
                                         const std::vector<reference::Choice>& choices) {
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
-    curves.push_back(reference::solve_scene(scene, *choice.entry, choice.xi));
+    curves.push_back(reference::solve_scene(scene, choice));
     fmt::print(stderr, "[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
                curves.back().outcome);
   }

@@ -43,20 +43,26 @@ std::vector<reference::Choice> run_choices(const reference::Scene& scene,
   for (double xi : xis) {
     if (!std::isfinite(xi)) throw BadInput(fmt::format("--xi {}: must be a finite number", xi));
   }
-  std::vector<const reference::Entry*> entries;
-  for (const std::string& name : names) entries.push_back(&entry_of(name));
+  std::vector<const reference::Entry*> entries;  // nullptr: the linear analysis
+  for (const std::string& name : names) {
+    entries.push_back(name == reference::kLinearized ? nullptr : &entry_of(name));
+    if (entries.back() && !reference::accepts_law(*entries.back(), scene.joint)) {
+      throw BadInput(fmt::format("{} refuses the law of scene {}: it couples translation and rotation", name, scene.name));
+    }
+  }
   if (names.empty()) {
     for (const auto& choice : reference::choices(scene)) {
       if (std::ranges::find(entries, choice.entry) == entries.end()) entries.push_back(choice.entry);
     }
   }
-  const bool has_free_xi = std::ranges::any_of(entries, [](const auto* entry) { return entry->needs_xi; });
-  if (!xis.empty() && !has_free_xi) throw BadInput("--xi: none of the formulations to run has a free xi");
+  const auto has_free_xi = [](const reference::Entry* entry) { return entry && entry->needs_xi; };
+  if (!xis.empty() && std::ranges::none_of(entries, has_free_xi))
+    throw BadInput("--xi: none of the formulations to run has a free xi");
 
   std::vector<reference::Choice> out;
   for (const auto* entry : entries) {
-    if (!entry->needs_xi) {
-      out.push_back({entry, entry->probe_xi});
+    if (!has_free_xi(entry)) {
+      out.push_back({entry, entry ? entry->probe_xi : 0.5});
       continue;
     }
     const auto& values = xis.empty() ? scene.xis : xis;

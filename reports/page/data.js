@@ -1,5 +1,5 @@
 // The results with the look-ups that several sections need.
-import {isNumber} from './format.js';
+import {isNumber, short} from './format.js';
 
 export const KINDS = [
   {key: 'angular', label: 'angular'},
@@ -58,16 +58,16 @@ export class Results {
   accuracy(what, error) {
     const points = [];
     const missing = [];
-    for (const {name, stands_for} of this.formulations) {
+    for (const {name, stands_for, needs_xi, probe_xi} of this.formulations) {
       for (const {key: kind} of KINDS) {
         const timing = this.timing(name, kind, what);
         const measured = error === 'modelling' ? this.modelling(name, kind) : this.numerical(timing);
-        const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !isNumber(timing?.ns) ? 'not timed' : measured.reason;
+        const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !(timing?.ns > 0) ? 'not timed' : measured.reason;
         if (reason) { missing.push({name, kind, reason}); continue; }
         const floored = !(measured.value > measured.floor);
-        points.push({formulation: name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
+        points.push({formulation: name, label: needs_xi ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
                      error: Math.max(measured.value, measured.floor), value: measured.value, floor: measured.floor, floored,
-                     note: measured.note});
+                     note: measured.note, truth: measured.truth});
       }
     }
     return {points, missing};
@@ -80,12 +80,13 @@ export class Results {
     if (!isNumber(f.value)) return {reason: 'its modelling error is not a number'};
     const floor = isNumber(f.uncertainty) ? f.uncertainty : 0;
     if (!(Math.max(f.value, floor) > 0)) return {reason: 'its error and the uncertainty of the truth are both 0: no place on a log axis'};
-    return {value: f.value, floor, note: f.reason};
+    const where = [f.parameter, f.reason].filter(Boolean).join('; ');
+    return {value: f.value, floor, note: where, truth: `${kindLabel(kind)}: ${where}, known to ${short(floor)}`};
   }
 
   numerical(timing) {
     if (!isNumber(timing?.error)) return {reason: 'no numerical error measured'};
-    return {value: timing.error, floor: 2 ** -54, note: 'against 50 digits of the same formula'};
+    return {value: timing.error, floor: 2 ** -54, note: 'against 50 digits of the same formula', truth: 'the same formula at 50 digits'};
   }
 }
 

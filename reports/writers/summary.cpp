@@ -30,7 +30,7 @@ std::string modelling_error(const Results& results, const std::string& formulati
 
 std::string nanoseconds(const Results& results, const std::string& formulation, const std::string& kind) {
   const bench::Timing* timing = find_timing(results, formulation, kind, "residual");
-  if (!timing) return "-";
+  if (!timing || !(timing->ns > 0 || timing->wrong)) return "-";
   return timing->wrong ? "wrong" : fmt::format("{:.0f}", timing->ns);
 }
 

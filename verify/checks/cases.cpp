@@ -19,10 +19,16 @@ using reference::Scene;
 using reference::SceneReference;
 using reference::Setting;
 
+/// The formulation, with its xi where it has one.
+std::string path_name(const SceneReference& r) {
+  const bool has_xi = reference::find_formulation(r.formulation)->needs_xi;
+  return has_xi ? fmt::format("{}_xi_{:g}", r.formulation, r.xi) : r.formulation;
+}
+
 /// The expected value and the limit, from the reference's text.
 Finding expectation(const Scene& scene, const SceneReference& r, const std::string& variant) {
   Finding f;
-  f.name = fmt::format("{}/{}/{}", scene.name, r.formulation, r.output);
+  f.name = fmt::format("{}/{}/{}", scene.name, path_name(r), r.output);
   if (r.factor > 0) f.name += fmt::format("@{:g}", r.factor);
   f.name += variant;
   f.formulation = r.formulation;
@@ -82,9 +88,7 @@ std::string mirror(const Entry& entry) {
 void add_scene(Checks& checks, const Scene& scene) {
   std::map<std::string, std::vector<SceneReference>> paths, criticals;
   for (const SceneReference& r : scene.references) {
-    const std::string key = r.formulation + (reference::find_formulation(r.formulation)->needs_xi
-                                                 ? fmt::format("_xi_{:g}", r.xi) : "");
-    (reference::is_critical(r.output) ? criticals : paths)[key].push_back(r);
+    (reference::is_critical(r.output) ? criticals : paths)[path_name(r)].push_back(r);
   }
   for (const auto& [key, references] : criticals) {
     const Entry& entry = *reference::find_formulation(references.front().formulation);

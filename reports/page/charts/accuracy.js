@@ -18,7 +18,7 @@ function withLabels(spec) {
   if (!group) throw new Error('accuracy chart: the point layer is missing');
   group.marks.push({
     type: 'text', interactive: false, from: {data: 'points_marks'},
-    encode: {enter: {text: {field: 'datum.formulation'}, fontSize: {value: isNarrow() ? 11 : 12}, fill: {value: 'var(--ink)'}}},
+    encode: {enter: {text: {field: 'datum.label'}, fontSize: {value: isNarrow() ? 11 : 12}, fill: {value: 'var(--ink)'}}},
     transform: [{type: 'label', size: {signal: '[width, height]'}, avoidMarks: ['points_marks', 'front_pathgroup'],
                  anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'], offset: [5]}]
   });
@@ -60,6 +60,7 @@ function footnote(points, missing, error) {
   return [
     'Dashed: Pareto front of each kind; no point of that kind is both faster and truer than one on it. ',
     floored.length ? `Hollow: the error is below ${what} and is drawn at that floor (${names(floored)}). ` : '',
+    points.length ? `Truth: ${[...new Set(points.map((p) => p.truth))].join('; ')}. ` : '',
     missing.length ? h('span', {}, `Not drawn: ${names(missing)}; reasons under `, h('a', {href: '#left-out'}, 'Failed or left out'), '.') : ''
   ];
 }

@@ -39,7 +39,7 @@ export function formulationsTable(results) {
       h('th', {scope: 'col', rowspan: 2, title: 'the moments on the two nodes balance'}, 'moments balance')),
     h('tr', {}, [0, 1].flatMap(() => Object.values(SHORT).map((t) => h('th', {scope: 'col', class: 'number'}, t)))));
   const body = h('tbody', {}, results.formulations.map((f) => h('tr', {},
-    h('th', {scope: 'row'}, h('span', {class: 'name'}, swatch({color: look(f.name).color, shape: 'circle'}), h('code', {}, f.name)), h('span', {class: 'about'}, f.stands_for)),
+    h('th', {scope: 'row'}, h('span', {class: 'name'}, swatch({color: look(f.name).color, shape: 'circle'}), h('code', {}, f.name)), h('span', {class: 'about'}, f.stands_for, f.needs_xi ? `; here ξ = ${f.probe_xi}` : '')),
     KINDS.map((k) => errorCell(results, f.name, k.key)), KINDS.map((k) => timeCell(results, f.name, k.key)),
     propertyCell(results, f.name, 'node_order'), propertyCell(results, f.name, 'loop_work'), propertyCell(results, f.name, 'moment_balance'))));
   return h('section', {class: 'formulations', 'aria-labelledby': 'formulations'}, h('h2', {id: 'formulations'}, 'The formulations'),

@@ -21,7 +21,7 @@ function answer(results, kind) {
   const truest = points.filter((p) => p.error === least).sort((a, b) => a.ns - b.ns);
   const fastest = points.reduce((a, b) => (b.ns < a.ns ? b : a));
   const best = truest[0];
-  const also = truest.slice(1, 4).map((p) => p.formulation);
+  const also = truest.slice(1).map((p) => p.formulation);
   const sentence = [`As ${kind === 'angular' ? 'an' : 'a'} ${kindLabel(kind)} joint, `, code(best.formulation), ` comes closest to the truth: ${error(best)}, at ${nanoseconds(best.ns)} ns per residual. `];
   if (also.length) sentence.push('No worse: ', ...list(also), '. ');
   if (fastest.formulation === best.formulation) return [...sentence, 'It is also the fastest.'];

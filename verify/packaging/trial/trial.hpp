@@ -1,15 +1,15 @@
-// A formulation added from outside, by this header and one line of a catalog: the half-way frame with
-// the conformal measure and projected moments, a choice that the suite's catalog does not have.
+// A formulation added from outside, by this header and one line of a catalog: 3 tan(phi/3) n in the
+// half-way frame, a measure that the suite's catalog does not have. Conjugate, hence without any defect.
 #pragma once
 
 #include "formulations/family.hpp"
 
 namespace halfway {
 
-struct Trial : Family<FrameHalfway, ConformalMeasure, Projected> {
+struct Trial : Family<FrameHalfway, VectorialMeasure<detail::TangentFactor<3>>, Conjugate> {
   static constexpr const char* name = "trial";
   static constexpr const char* stands_for = "a formulation tried out of tree";
-  static constexpr Facts facts{.loop_slope = 4};
+  static constexpr Facts facts{};
 };
 
 }  // namespace halfway
