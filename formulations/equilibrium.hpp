@@ -12,7 +12,8 @@
 namespace halfway {
 
 /// Load on node b at load factor 1; the solver scales it.
-template <class T> struct NodeLoad {
+template <class T>
+struct NodeLoad {
   Vec3<T> force = Vec3<T>::Zero();            ///< fixed direction, global axes, N
   Vec3<T> point = Vec3<T>::Zero();            ///< where it acts, axes of node b, m
   Vec3<T> moment = Vec3<T>::Zero();           ///< fixed direction, global axes, N m
@@ -23,7 +24,8 @@ template <class T> struct NodeLoad {
 constexpr int unknown_count(Kind kind) { return strain_count(kind); }
 
 /// Load on node b in the unknown directions and its derivative by (dx_b, w_b).
-template <class T, int n> struct Balance {
+template <class T, int n>
+struct Balance {
   Eigen::Matrix<T, n, 1> load;
   Eigen::Matrix<T, n, n> tangent;
 };
@@ -35,7 +37,8 @@ enum class Status {
 };
 
 /// What the solver reached, whether it converged or not.
-template <class T> struct Outcome {
+template <class T>
+struct Outcome {
   Status status = Status::converged;
   T factor{0};         ///< load factor reached
   Pose<T> b{};         ///< equilibrium there
@@ -44,9 +47,10 @@ template <class T> struct Outcome {
   T residual{0};       ///< |internal - applied| / |applied| at the pose reached
 };
 
-template <class T> struct SolverOptions {
-  T smallest_step = T(1e-9);   ///< of the load factor, relative to the whole advance
-  T largest_turn = T(0.35);    ///< rad between accepted states; a longer step may change branch
+template <class T>
+struct SolverOptions {
+  T smallest_step = T(1e-9);  ///< of the load factor, relative to the whole advance
+  T largest_turn = T(0.35);   ///< rad between accepted states; a longer step may change branch
   int iterations_per_step = 12;
 };
 
@@ -64,8 +68,10 @@ Balance<T, unknown_count(kind)> applied(const NodeLoad<T>& load, const T& factor
     const Vec3<T> m = factor * load.moment + follower + arm.cross(f);
     const Mat3<T> m_w = skew(f) * skew(arm) - skew(follower);
     out.tangent.setZero();
-    if constexpr (kind == Kind::linear_angular) out.load << f, m;
-    else out.load = m;
+    if constexpr (kind == Kind::linear_angular)
+      out.load << f, m;
+    else
+      out.load = m;
     out.tangent.template bottomRightCorner<3, 3>() = m_w;
   }
   return out;
@@ -83,8 +89,8 @@ Pose<T> displaced(const Pose<T>& b, const Eigen::Matrix<T, unknown_count(kind), 
 /// Newton at one load factor, until the steps stop shrinking: to rounding, not to a tolerance.
 /// @return iterations used, or 0 when it did not converge; `b` is the solution.
 template <Kind kind, class T, class Internal>
-int newton(const Internal& internal, const NodeLoad<T>& load, const T& factor, const SolverOptions<T>& options,
-           Pose<T>& b, bool& singular) {
+int newton(const Internal& internal, const NodeLoad<T>& load, const T& factor,
+           const SolverOptions<T>& options, Pose<T>& b, bool& singular) {
   using std::isfinite;
   const T start_of_rounding = T(1e-5);  // quadratic convergence: the next step is at 1e-10, then rounding
   const T nothing = Eigen::NumTraits<T>::epsilon() * Eigen::NumTraits<T>::epsilon();  // of any angle, rad
@@ -111,8 +117,8 @@ int newton(const Internal& internal, const NodeLoad<T>& load, const T& factor, c
 /// when Newton fails or turns node b too far, and doubled after quick ones.
 /// @param internal  callable Pose -> Balance: load of the joint on node b and its tangent.
 template <Kind kind, class T, class Internal>
-Outcome<T> follow(const Internal& internal, const NodeLoad<T>& load, const Pose<T>& state, const T& factor_from,
-                  const T& factor_to, const SolverOptions<T>& options = {}) {
+Outcome<T> follow(const Internal& internal, const NodeLoad<T>& load, const Pose<T>& state,
+                  const T& factor_from, const T& factor_to, const SolverOptions<T>& options = {}) {
   const T span = factor_to - factor_from;
   Outcome<T> out;
   out.b = state;
@@ -147,7 +153,8 @@ Outcome<T> follow(const Internal& internal, const NodeLoad<T>& load, const Pose<
 }
 
 /// The joint's load on node b in the unknown directions, from a statically typed joint.
-template <Kind kind, class T, class F, class L> auto internal_of(const Joint<kind, T, F, L>& joint, const Pose<T>& a) {
+template <Kind kind, class T, class F, class L>
+auto internal_of(const Joint<kind, T, F, L>& joint, const Pose<T>& a) {
   return [&joint, a](const Pose<T>& b) {
     Balance<T, unknown_count(kind)> out;
     const auto q = loads<true>(joint, a, b);
@@ -164,7 +171,8 @@ template <Kind kind, class T, class F, class L> auto internal_of(const Joint<kin
 }
 
 /// The unstrained pose of node b for node a at `a`.
-template <class T> Pose<T> unstrained(const JointEnd<T>& end_a, const JointEnd<T>& end_b, const Pose<T>& a) {
+template <class T>
+Pose<T> unstrained(const JointEnd<T>& end_a, const JointEnd<T>& end_b, const Pose<T>& a) {
   Pose<T> b;
   b.R = a.R * end_a.H * end_b.H.transpose();
   b.x = a.x + a.R * end_a.o - b.R * end_b.o;

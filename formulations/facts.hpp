@@ -34,7 +34,7 @@ struct Facts {
   double loop_slope = 0;        ///< that work ~ amplitude^slope, angular; 0: none
   bool has_fingerprint = true;  ///< moment on b = K theta + alpha theta x K theta + beta (..) + O(3)
   double alpha = 0.5;
-  double beta = 0;              ///< in units of (k1 - k2 + k3)
+  double beta = 0;  ///< in units of (k1 - k2 + k3)
 };
 
 }  // namespace halfway

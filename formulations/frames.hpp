@@ -11,30 +11,56 @@ namespace halfway {
 /// xi = 0: the joint frame of node a. M is the identity and nothing turns.
 struct FrameA {
   static constexpr bool kConstant = true;
-  template <class T> static Isotropic<T> motion(const T&) { return constant_isotropic<T>(); }
-  template <class T> static Mat3<T> rotation(const RelativeMotion<T>&) { return Mat3<T>::Identity(); }
-  template <class T> static Mat3<T> spin(const RelativeMotion<T>&) { return Mat3<T>::Zero(); }
+  template <class T>
+  static Isotropic<T> motion(const T&) {
+    return constant_isotropic<T>();
+  }
+  template <class T>
+  static Mat3<T> rotation(const RelativeMotion<T>&) {
+    return Mat3<T>::Identity();
+  }
+  template <class T>
+  static Mat3<T> spin(const RelativeMotion<T>&) {
+    return Mat3<T>::Zero();
+  }
 };
 
 /// xi = 1: the joint frame of node b.
 struct FrameB {
   static constexpr bool kConstant = false;
-  template <class T> static Isotropic<T> motion(const T& s) { return so3::exp_isotropic(s, T(-1)); }
-  template <class T> static Mat3<T> rotation(const RelativeMotion<T>& m) { return m.R; }
-  template <class T> static Mat3<T> spin(const RelativeMotion<T>&) { return Mat3<T>::Identity(); }
+  template <class T>
+  static Isotropic<T> motion(const T& s) {
+    return so3::exp_isotropic(s, T(-1));
+  }
+  template <class T>
+  static Mat3<T> rotation(const RelativeMotion<T>& m) {
+    return m.R;
+  }
+  template <class T>
+  static Mat3<T> spin(const RelativeMotion<T>&) {
+    return Mat3<T>::Identity();
+  }
 };
 
 /// xi = 1/2: half-way between the nodes; no trigonometric function [32, 71, 72].
 struct FrameHalfway {
   static constexpr bool kConstant = false;
-  template <class T> static Isotropic<T> motion(const T& s) { return so3::exp_isotropic(s, T(T(-1) / T(2))); }
-  template <class T> static Mat3<T> rotation(const RelativeMotion<T>& m) { return so3::matrix(so3::half(m.q)); }
-  template <class T> static Mat3<T> spin(const RelativeMotion<T>& m) {
+  template <class T>
+  static Isotropic<T> motion(const T& s) {
+    return so3::exp_isotropic(s, T(T(-1) / T(2)));
+  }
+  template <class T>
+  static Mat3<T> rotation(const RelativeMotion<T>& m) {
+    return so3::matrix(so3::half(m.q));
+  }
+  template <class T>
+  static Mat3<T> spin(const RelativeMotion<T>& m) {
     const Vec3<T> z = m.q.v / (T(1) + m.q.w);  // tan(phi/4) n
     return (Mat3<T>::Identity() - skew(z)) / T(2);
   }
   /// d(A^T w)/d(psi) for constant w, 3x3: A^T = (1 + [z])/2 with z = tan(phi/4)/phi theta.
-  template <class T> static Mat3<T> spin_transposed_rate(const RelativeMotion<T>& m, const Vec3<T>& w) {
+  template <class T>
+  static Mat3<T> spin_transposed_rate(const RelativeMotion<T>& m, const Vec3<T>& w) {
     const T s = m.theta.squaredNorm();
     const Jet<T> tau = tangent_quotient(T(s / T(16)));
     const Jet<T> b{tau.f / T(4), tau.d1 / T(64), T(0)};
@@ -47,9 +73,16 @@ struct FrameHalfway {
 struct FrameWeighted {
   double xi = 0.5;
   static constexpr bool kConstant = false;
-  template <class T> Isotropic<T> motion(const T& s) const { return so3::exp_isotropic(s, T(-xi)); }
-  template <class T> Mat3<T> rotation(const RelativeMotion<T>& m) const { return so3::exp<T>(T(xi) * m.theta); }
-  template <class T> Mat3<T> spin(const RelativeMotion<T>& m) const {
+  template <class T>
+  Isotropic<T> motion(const T& s) const {
+    return so3::exp_isotropic(s, T(-xi));
+  }
+  template <class T>
+  Mat3<T> rotation(const RelativeMotion<T>& m) const {
+    return so3::exp<T>(T(xi) * m.theta);
+  }
+  template <class T>
+  Mat3<T> spin(const RelativeMotion<T>& m) const {
     return T(xi) * so3::gamma<T>(T(xi) * m.theta) * so3::gamma_inverse(m.theta);
   }
 };
@@ -57,7 +90,10 @@ struct FrameWeighted {
 /// Not a frame: v = Gamma(theta)^-1 p, the translation part of the logarithm on SE(3).
 struct Se3Translation {
   static constexpr bool kConstant = false;
-  template <class T> static Isotropic<T> motion(const T& s) { return so3::gamma_inverse_isotropic(s); }
+  template <class T>
+  static Isotropic<T> motion(const T& s) {
+    return so3::gamma_inverse_isotropic(s);
+  }
 };
 
 }  // namespace halfway

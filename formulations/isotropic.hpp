@@ -8,7 +8,8 @@ namespace halfway {
 
 /// M(theta) = 1 + b(s) [theta] + c(s) [theta]^2, s = |theta|^2.
 /// exp, Gamma, Gamma^-1 and the map from relative position to either strain are of this form.
-template <class T> struct Isotropic {
+template <class T>
+struct Isotropic {
   Jet<T> b, c;
 
   Isotropic transposed() const { return {{-b.f, -b.d1, -b.d2}, c}; }
@@ -26,17 +27,20 @@ template <class T> struct Isotropic {
   Mat3<T> hessian(const Vec3<T>& theta, const Vec3<T>& p, const Vec3<T>& f) const;
 };
 
-template <class T> Mat3<T> Isotropic<T>::matrix(const Vec3<T>& theta) const {
+template <class T>
+Mat3<T> Isotropic<T>::matrix(const Vec3<T>& theta) const {
   const Mat3<T> x = skew(theta);
   return Mat3<T>::Identity() + b.f * x + c.f * x * x;
 }
 
-template <class T> Vec3<T> Isotropic<T>::times(const Vec3<T>& theta, const Vec3<T>& v) const {
+template <class T>
+Vec3<T> Isotropic<T>::times(const Vec3<T>& theta, const Vec3<T>& v) const {
   const Vec3<T> t = theta.cross(v);
   return v + b.f * t + c.f * theta.cross(t);
 }
 
-template <class T> Mat3<T> Isotropic<T>::derivative(const Vec3<T>& theta, const Vec3<T>& v) const {
+template <class T>
+Mat3<T> Isotropic<T>::derivative(const Vec3<T>& theta, const Vec3<T>& v) const {
   const Vec3<T> t = theta.cross(v);
   const Vec3<T> along = T(2) * (b.d1 * t + c.d1 * theta.cross(t));
   const Mat3<T> twist = skew(t) + skew(theta) * skew(v);
@@ -60,6 +64,9 @@ Mat3<T> Isotropic<T>::hessian(const Vec3<T>& theta, const Vec3<T>& p, const Vec3
 }
 
 /// The identity map, for strains that need no rotation (node a's own frame).
-template <class T> Isotropic<T> constant_isotropic() { return {{T(0), T(0), T(0)}, {T(0), T(0), T(0)}}; }
+template <class T>
+Isotropic<T> constant_isotropic() {
+  return {{T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
+}
 
 }  // namespace halfway

@@ -7,7 +7,8 @@ namespace halfway {
 
 /// A formulation, a law and two ends. Kinds cost what they are: an angular joint computes nothing
 /// linear and has 3x3 tangent blocks.
-template <Kind kind, class T, class Formulation, class LawT> struct Joint {
+template <Kind kind, class T, class Formulation, class LawT>
+struct Joint {
   Formulation formulation;
   LawT law;
   JointEnd<T> a{};
@@ -15,7 +16,8 @@ template <Kind kind, class T, class Formulation, class LawT> struct Joint {
 };
 
 /// Moment on node b, global axes, N m (node a has the opposite), and its derivatives by the spins.
-template <class T> struct AngularLoads {
+template <class T>
+struct AngularLoads {
   Vec3<T> m_b;
   Mat3<T> m_b_wa, m_b_wb;
 };
@@ -23,7 +25,8 @@ template <class T> struct AngularLoads {
 /// Loads (f_a, m_a, f_b, m_b), global axes, moments about the nodes; and their derivative by
 /// (dx_a, w_a, dx_b, w_b), spins in global axes. Conjugate to strain power: (f_b, m_b) balances
 /// what is applied to node b.
-template <class T> struct NodeLoads {
+template <class T>
+struct NodeLoads {
   Eigen::Matrix<T, 12, 1> q;
   Eigen::Matrix<T, 12, 12> tangent;
 };
@@ -35,6 +38,15 @@ RelativeMotion<T> angular_motion(const JointEnd<T>& end_a, const JointEnd<T>& en
   return relative_motion<T>(R_ab, Vec3<T>::Zero());
 }
 
+/// p alone, for joints that no rotation concerns.
+template <class T>
+RelativeMotion<T> linear_motion(const JointEnd<T>& end_a, const JointEnd<T>& end_b, const Pose<T>& a,
+                                const Pose<T>& b) {
+  RelativeMotion<T> m;
+  m.p = (a.R * end_a.H).transpose() * ((b.x + b.R * end_b.o) - (a.x + a.R * end_a.o));
+  return m;
+}
+
 template <class T>
 RelativeMotion<T> full_motion(const JointEnd<T>& end_a, const JointEnd<T>& end_b, const Pose<T>& a,
                               const Pose<T>& b) {
@@ -44,17 +56,28 @@ RelativeMotion<T> full_motion(const JointEnd<T>& end_a, const JointEnd<T>& end_b
   return relative_motion<T>(R_ab, P_a.transpose() * d);
 }
 
+/// What of the relative motion the joint needs, and no more.
+template <Kind kind, class T, class F, class L>
+RelativeMotion<T> motion_of(const Joint<kind, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {
+  if constexpr (kind == Kind::angular) {
+    return angular_motion(joint.a, joint.b, a, b);
+  } else if constexpr (kind == Kind::linear && F::kLinearWithoutRotation) {
+    return linear_motion(joint.a, joint.b, a, b);
+  } else {
+    return full_motion(joint.a, joint.b, a, b);
+  }
+}
+
 /// The strains that the law sees. @param a, b  poses of the nodes.
 template <Kind kind, class T, class F, class L>
 Strain<T, kind> strain(const Joint<kind, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {
-  const auto m = kind == Kind::angular ? angular_motion(joint.a, joint.b, a, b) : full_motion(joint.a, joint.b, a, b);
-  return joint.formulation.template strain<kind>(m);
+  return joint.formulation.template strain<kind>(motion_of(joint, a, b));
 }
 
 /// Loads of an angular joint; the tangent blocks are filled only on request.
 template <bool with_tangent, class T, class F, class L>
 AngularLoads<T> loads(const Joint<Kind::angular, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {
-  const RelativeMotion<T> m = angular_motion(joint.a, joint.b, a, b);
+  const RelativeMotion<T> m = motion_of(joint, a, b);
   const AngularResponse<T> r = joint.formulation.template angular<with_tangent>(m, joint.law);
   const Mat3<T> P_a = a.R * joint.a.H;
   AngularLoads<T> out;
@@ -108,9 +131,9 @@ NodeLoads<T> at_nodes(const PointResponse<T>& r, const RelativeMotion<T>& m, con
 
 /// Loads of a linear or linear/angular joint; the tangent is filled only on request.
 template <bool with_tangent, Kind kind, class T, class F, class L>
-  requires(kind != Kind::angular)
-NodeLoads<T> loads(const Joint<kind, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {
-  const RelativeMotion<T> m = full_motion(joint.a, joint.b, a, b);
+requires(kind != Kind::angular) NodeLoads<T> loads(const Joint<kind, T, F, L>& joint, const Pose<T>& a,
+                                                   const Pose<T>& b) {
+  const RelativeMotion<T> m = motion_of(joint, a, b);
   const PointResponse<T> r = joint.formulation.template point<kind, with_tangent>(m, joint.law);
   return at_nodes<with_tangent>(r, m, joint.a, joint.b, a, b);
 }

@@ -12,7 +12,8 @@
 
 namespace halfway {
 
-template <class T, int N> struct LawResponse {
+template <class T, int N>
+struct LawResponse {
   Eigen::Matrix<T, N, 1> stress;
   Eigen::Matrix<T, N, N> stiffness;
 };
@@ -28,31 +29,35 @@ concept ElasticLaw = Law<L, T, N> && requires(const L& law, const Eigen::Matrix<
 };
 
 /// stress = K strain, K symmetric, N x N: isotropic, orthotropic, anisotropic or coupled.
-template <class T, int N> struct LinearLaw {
+template <class T, int N>
+struct LinearLaw {
   Eigen::Matrix<T, N, N> K;
 
   LawResponse<T, N> operator()(const Eigen::Matrix<T, N, 1>& strain) const { return {K * strain, K}; }
   T energy(const Eigen::Matrix<T, N, 1>& strain) const { return strain.dot(K * strain) / T(2); }
 };
 
-template <class T> LinearLaw<T, 3> isotropic_law(const T& k) { return {k * Mat3<T>::Identity()}; }
+template <class T>
+LinearLaw<T, 3> isotropic_law(const T& k) {
+  return {k * Mat3<T>::Identity()};
+}
 
-template <class T, int N> LinearLaw<T, N> orthotropic_law(const Eigen::Matrix<T, N, 1>& k) {
+template <class T, int N>
+LinearLaw<T, N> orthotropic_law(const Eigen::Matrix<T, N, 1>& k) {
   return {Eigen::Matrix<T, N, N>(k.asDiagonal())};
 }
 
 /// Per axis stress = k1 e + k3 e^3 + k5 e^5: odd, hence the same in tension and compression;
 /// hardening when k3, k5 > 0.
-template <class T, int N> struct PolynomialLaw {
+template <class T, int N>
+struct PolynomialLaw {
   Eigen::Matrix<T, N, 1> k1, k3, k5;
 
   LawResponse<T, N> operator()(const Eigen::Matrix<T, N, 1>& strain) const {
     const auto e = strain.array();
     const auto s = e * e;
-    const Eigen::Matrix<T, N, 1> slope =
-        k1.array() + s * (T(3) * k3.array() + s * T(5) * k5.array());
-    return {e * (k1.array() + s * (k3.array() + s * k5.array())),
-            Eigen::Matrix<T, N, N>(slope.asDiagonal())};
+    const Eigen::Matrix<T, N, 1> slope = k1.array() + s * (T(3) * k3.array() + s * T(5) * k5.array());
+    return {e * (k1.array() + s * (k3.array() + s * k5.array())), Eigen::Matrix<T, N, N>(slope.asDiagonal())};
   }
   T energy(const Eigen::Matrix<T, N, 1>& strain) const {
     const auto s = strain.array().square();

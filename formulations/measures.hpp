@@ -22,19 +22,23 @@ Mat3<T> spin_derivative(const Vec3<T>& theta, const Vec3<T>& g, const Mat3<T>& h
 
 /// Measures parallel to the rotation vector, e = h(s) theta, s = phi^2.
 /// @tparam H  callable s -> Jet (h, dh/ds, d2h/ds2).
-template <class H> struct VectorialMeasure {
-  template <class T> static Vec3<T> strain(const RelativeMotion<T>& m) {
+template <class H>
+struct VectorialMeasure {
+  template <class T>
+  static Vec3<T> strain(const RelativeMotion<T>& m) {
     return H{}(T(m.theta.squaredNorm())).f * m.theta;
   }
 
-  template <class T> static Mat3<T> rate(const RelativeMotion<T>& m) {
+  template <class T>
+  static Mat3<T> rate(const RelativeMotion<T>& m) {
     const Jet<T> h = H{}(T(m.theta.squaredNorm()));
     Mat3<T> e_theta = (T(2) * h.d1) * m.theta * m.theta.transpose();
     e_theta.diagonal().array() += h.f;
     return e_theta * so3::gamma_inverse(m.theta);
   }
 
-  template <class T> static Mat3<T> transport_rate(const RelativeMotion<T>& m, const Vec3<T>& mu) {
+  template <class T>
+  static Mat3<T> transport_rate(const RelativeMotion<T>& m, const Vec3<T>& mu) {
     const Jet<T> h = H{}(T(m.theta.squaredNorm()));
     const T along = m.theta.dot(mu);
     const Vec3<T> g = h.f * mu + (T(2) * h.d1 * along) * m.theta;
@@ -48,22 +52,29 @@ template <class H> struct VectorialMeasure {
 namespace detail {
 
 struct RotationVectorFactor {  // phi n
-  template <class T> Jet<T> operator()(const T&) const { return {T(1), T(0), T(0)}; }
+  template <class T>
+  Jet<T> operator()(const T&) const {
+    return {T(1), T(0), T(0)};
+  }
 };
 struct LinearFactor {  // sin(phi) n = ax(R)
-  template <class T> Jet<T> operator()(const T& s) const {
+  template <class T>
+  Jet<T> operator()(const T& s) const {
     const Stumpff<T> c = stumpff(s);
     return {c[1], c.d1(1), c.d2(1)};
   }
 };
 struct QuaternionFactor {  // 2 sin(phi/2) n
-  template <class T> Jet<T> operator()(const T& s) const {
+  template <class T>
+  Jet<T> operator()(const T& s) const {
     const Stumpff<T> c = stumpff(T(s / T(4)));
     return {c[1], c.d1(1) / T(4), c.d2(1) / T(16)};
   }
 };
-template <int M> struct TangentFactor {  // M tan(phi/M) n
-  template <class T> Jet<T> operator()(const T& s) const {
+template <int M>
+struct TangentFactor {  // M tan(phi/M) n
+  template <class T>
+  Jet<T> operator()(const T& s) const {
     const T m2(M * M);
     const Jet<T> h = tangent_quotient(T(s / m2));
     return {h.f, h.d1 / m2, h.d2 / (m2 * m2)};
@@ -80,10 +91,12 @@ using ConformalMeasure = VectorialMeasure<detail::TangentFactor<4>>;
 
 /// Euler angles R = R_I(e_I) R_J(e_J) R_K(e_K) about three distinct axes (0, 1, 2), listed by axis.
 /// Regular for |e_J| < pi/2; at the gimbal lock the rate is infinite.
-template <int I, int J, int K> struct EulerMeasure {
+template <int I, int J, int K>
+struct EulerMeasure {
   static constexpr int kParity = (J - I + 3) % 3 == 1 ? 1 : -1;
 
-  template <class T> static Vec3<T> strain(const RelativeMotion<T>& m) {
+  template <class T>
+  static Vec3<T> strain(const RelativeMotion<T>& m) {
     using std::atan2, std::sqrt;
     const T sign(kParity);
     const Mat3<T>& R = m.R;
@@ -95,9 +108,13 @@ template <int I, int J, int K> struct EulerMeasure {
     return e;
   }
 
-  template <class T> static Mat3<T> rate(const RelativeMotion<T>& m) { return axes(strain(m)).inverse(); }
+  template <class T>
+  static Mat3<T> rate(const RelativeMotion<T>& m) {
+    return axes(strain(m)).inverse();
+  }
 
-  template <class T> static Mat3<T> transport_rate(const RelativeMotion<T>& m, const Vec3<T>& mu) {
+  template <class T>
+  static Mat3<T> transport_rate(const RelativeMotion<T>& m, const Vec3<T>& mu) {
     const Mat3<T> S = axes(strain(m));
     const Mat3<T> S_inverse = S.inverse();
     const Vec3<T> y = S_inverse.transpose() * mu;
@@ -111,7 +128,8 @@ template <int I, int J, int K> struct EulerMeasure {
 
  private:
   /// The current axes of the three turns in P_a, column = axis: psi = S de.
-  template <class T> static Mat3<T> axes(const Vec3<T>& e) {
+  template <class T>
+  static Mat3<T> axes(const Vec3<T>& e) {
     const Vec3<T> s_i = Vec3<T>::Unit(I);
     const Mat3<T> R_i = so3::exp<T>(e[I] * s_i);
     const Mat3<T> R_j = so3::exp<T>(e[J] * Vec3<T>::Unit(J));

@@ -14,7 +14,8 @@ namespace halfway {
 /// Two rules make them sufficient for rotations, their Jacobians and the derivatives of those:
 /// c_n = 1/n! - s c_{n+2}, and dc_n/ds = (n c_{n+2} - c_{n+1})/2, neither of which divides by s.
 /// Absolute error below 2 eps for s <= 10 (phi <= pi); beyond, of the order of eps.
-template <class T> struct Stumpff {
+template <class T>
+struct Stumpff {
   std::array<T, 8> c;
 
   T operator[](int n) const { return c[n]; }
@@ -44,7 +45,8 @@ constexpr int stumpff_terms(int digits) {
 }
 
 /// c_n by its series, nested so that each bracket is 1 - s/(..)(..) times the next one.
-template <class T> T stumpff_series(int n, const T& s, const T& inverse_factorial) {
+template <class T>
+T stumpff_series(int n, const T& s, const T& inverse_factorial) {
   T sum(1);
   for (int k = stumpff_terms(RealDigits<T>::value); k > 0; --k) {
     sum = T(1) - s * sum / T((n + 2 * k - 1) * (n + 2 * k));
@@ -55,7 +57,8 @@ template <class T> T stumpff_series(int n, const T& s, const T& inverse_factoria
 }  // namespace detail
 
 /// @param s  phi^2 in rad^2, s >= 0; polynomial for s <= 10, so duals are exact at s = 0.
-template <class T> Stumpff<T> stumpff(const T& s) {
+template <class T>
+Stumpff<T> stumpff(const T& s) {
   using std::cos, std::sin, std::sqrt;
   std::array<T, 8> inverse_factorial;
   inverse_factorial[0] = T(1);
@@ -76,12 +79,14 @@ template <class T> Stumpff<T> stumpff(const T& s) {
 }
 
 /// A function of s with its first two derivatives.
-template <class T> struct Jet {
+template <class T>
+struct Jet {
   T f, d1, d2;
 };
 
 /// tan(y)/y of x = y^2, regular for y < pi/2.
-template <class T> Jet<T> tangent_quotient(const T& x) {
+template <class T>
+Jet<T> tangent_quotient(const T& x) {
   const Stumpff<T> c = stumpff(x);
   const T h = c[1] / c[0];
   const T d = c.d1(1) / c[0];
@@ -90,7 +95,8 @@ template <class T> Jet<T> tangent_quotient(const T& x) {
 
 /// kappa(s) = (1 - (phi/2) cot(phi/2))/phi^2, the [theta]^2 coefficient of Gamma^-1, for phi < 2 pi.
 /// With x = s/4 it is (c2(x) - c3(x))/(4 c1(x)): the numerator is 1/3 at 0 and never cancels.
-template <class T> Jet<T> kappa(const T& s) {
+template <class T>
+Jet<T> kappa(const T& s) {
   const Stumpff<T> c = stumpff(T(s / T(4)));
   const T n = (c[2] - c[3]) / c[1];
   const T n1 = (c.d1(2) - c.d1(3)) / c[1];

@@ -5,13 +5,15 @@
 namespace halfway::reference {
 namespace {
 
-template <class T> AngularLoads<T> turned(const Entry& entry, const JointSpec& spec, int axis, const T& angle) {
+template <class T>
+AngularLoads<T> turned(const Entry& entry, const JointSpec& spec, int axis, const T& angle) {
   Pose<T> b;
   b.R = so3::exp<T>(angle * Vec3<T>::Unit(axis));
   return entry.in<T>().angular(spec, Pose<T>{}, b, true);
 }
 
-template <class T> T determinant(const Entry& entry, const JointSpec& spec, int axis, const T& angle) {
+template <class T>
+T determinant(const Entry& entry, const JointSpec& spec, int axis, const T& angle) {
   return turned(entry, spec, axis, angle).m_b_wb.determinant();
 }
 

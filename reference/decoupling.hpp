@@ -9,14 +9,16 @@
 namespace halfway::reference {
 
 /// With (f, m) = [[1, 0], [A, 1]] (f*, m*) the off-diagonal block of the compliance vanishes.
-template <class T> struct Decoupling {
-  Mat3<T> A;               ///< -F_psim^-1 F_um^T
-  Vec3<T> x;               ///< joint point from the free node, m: the nearest skew part of A is [x]
-  Mat3<T> remainder;       ///< A - [x]: zero when moving the joint point is enough
-  Mat3<T> F_u, F_psi;      ///< decoupled compliances, m/N and rad/(N m)
+template <class T>
+struct Decoupling {
+  Mat3<T> A;           ///< -F_psim^-1 F_um^T
+  Vec3<T> x;           ///< joint point from the free node, m: the nearest skew part of A is [x]
+  Mat3<T> remainder;   ///< A - [x]: zero when moving the joint point is enough
+  Mat3<T> F_u, F_psi;  ///< decoupled compliances, m/N and rad/(N m)
 };
 
-template <class T> Decoupling<T> decouple(const Eigen::Matrix<T, 6, 6>& F) {
+template <class T>
+Decoupling<T> decouple(const Eigen::Matrix<T, 6, 6>& F) {
   const Mat3<T> F_uf = F.template topLeftCorner<3, 3>();
   const Mat3<T> F_um = F.template topRightCorner<3, 3>();
   const Mat3<T> F_psim = F.template bottomRightCorner<3, 3>();

@@ -10,7 +10,8 @@
 namespace halfway::reference {
 
 /// Value and derivative along one direction.
-template <class R> struct Dual {
+template <class R>
+struct Dual {
   R v{};
   R d{};
 
@@ -18,8 +19,7 @@ template <class R> struct Dual {
   Dual(const R& value) : v(value), d(0) {}
   Dual(const R& value, const R& derivative) : v(value), d(derivative) {}
   template <class N>
-    requires(std::is_arithmetic_v<N> && !std::is_same_v<N, R>)
-  Dual(N value) : v(value), d(0) {}
+  requires(std::is_arithmetic_v<N> && !std::is_same_v<N, R>) Dual(N value) : v(value), d(0) {}
   explicit operator int() const { return int(v); }
   explicit operator double() const { return double(v); }
 
@@ -69,14 +69,24 @@ template <class R> struct Dual {
 
 }  // namespace halfway::reference
 
-template <class R> struct halfway::RealDigits<halfway::reference::Dual<R>> : halfway::RealDigits<R> {};
+template <class R>
+struct halfway::RealDigits<halfway::reference::Dual<R>> : halfway::RealDigits<R> {};
 
 namespace Eigen {
-template <class R> struct NumTraits<halfway::reference::Dual<R>> : NumTraits<R> {
+template <class R>
+struct NumTraits<halfway::reference::Dual<R>> : NumTraits<R> {
   using Real = halfway::reference::Dual<R>;
   using NonInteger = Real;
   using Nested = Real;
   using Literal = Real;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 2, AddCost = 2, MulCost = 4 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 2,
+    AddCost = 2,
+    MulCost = 4
+  };
 };
 }  // namespace Eigen

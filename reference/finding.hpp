@@ -31,11 +31,11 @@ struct Finding {
   std::string unit{};
   double expected = 0;
   double low = 0;
-  double high = 0;          ///< at_most and equal: the limit
+  double high = 0;  ///< at_most and equal: the limit
   Comparison comparison = Comparison::at_most;
   Oracle oracle = Oracle::none;
-  double uncertainty = 0;   ///< of the expected value, same unit
-  std::string reason{};       ///< why the limit is what it is; or why it was left out
+  double uncertainty = 0;  ///< of the expected value, same unit
+  std::string reason{};    ///< why the limit is what it is; or why it was left out
   Verdict verdict = Verdict::pass;
 };
 

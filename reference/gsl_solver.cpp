@@ -24,7 +24,8 @@ int call(const gsl_vector* x, void* residual, gsl_vector* r) {
 
 }  // namespace
 
-GslOutcome gsl_hybrids(const Residual& residual, const Eigen::VectorXd& start, double tolerance, int iterations) {
+GslOutcome gsl_hybrids(const Residual& residual, const Eigen::VectorXd& start, double tolerance,
+                       int iterations) {
   gsl_set_error_handler_off();
   const std::size_t n = start.size();
   const std::unique_ptr<gsl_multiroot_fsolver, decltype(&gsl_multiroot_fsolver_free)> solver(

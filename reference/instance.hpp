@@ -11,12 +11,16 @@ HALFWAY_INSTANTIATE(extern, reference::Dual<reference::Real50>)
 
 namespace halfway::reference {
 
-template <class F> F make_formulation(double xi) {
-  if constexpr (requires { F::kProbeXi; }) return F(xi);
-  else return F{};
+template <class F>
+F make_formulation(double xi) {
+  if constexpr (requires { F::kProbeXi; })
+    return F(xi);
+  else
+    return F{};
 }
 
-template <class F, Kind kind, class T> auto make_joint(const JointSpec& spec) {
+template <class F, Kind kind, class T>
+auto make_joint(const JointSpec& spec) {
   using L = AnyLaw<T, strain_count(kind)>;
   const auto end = [](const JointEnd<double>& e) {
     return JointEnd<T>{e.o.template cast<T>(), e.H.template cast<T>()};
@@ -24,17 +28,23 @@ template <class F, Kind kind, class T> auto make_joint(const JointSpec& spec) {
   return Joint<kind, T, F, L>{make_formulation<F>(spec.xi), L(spec.law), end(spec.a), end(spec.b)};
 }
 
-template <Kind kind> using KindTag = std::integral_constant<Kind, kind>;
+template <Kind kind>
+using KindTag = std::integral_constant<Kind, kind>;
 
-template <class Fn> auto dispatch(Kind kind, Fn&& fn) {
+template <class Fn>
+auto dispatch(Kind kind, Fn&& fn) {
   switch (kind) {
-    case Kind::angular: return fn(KindTag<Kind::angular>{});
-    case Kind::linear: return fn(KindTag<Kind::linear>{});
-    default: return fn(KindTag<Kind::linear_angular>{});
+    case Kind::angular:
+      return fn(KindTag<Kind::angular>{});
+    case Kind::linear:
+      return fn(KindTag<Kind::linear>{});
+    default:
+      return fn(KindTag<Kind::linear_angular>{});
   }
 }
 
-template <class F, class T> Evaluators<T> evaluators() {
+template <class F, class T>
+Evaluators<T> evaluators() {
   Evaluators<T> e;
   e.strain = [](const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
     return dispatch(spec.kind, [&](auto kind) -> Eigen::Matrix<T, Eigen::Dynamic, 1> {
@@ -63,9 +73,18 @@ template <class F, class T> Evaluators<T> evaluators() {
   return e;
 }
 
-template <class F> Entry make_entry() {
-  Entry entry{F::name, F::stands_for, F::facts, false, 0.5, false, &F::has_potential,
-              evaluators<F, double>(), evaluators<F, Real50>(), evaluators<F, Dual<Real50>>()};
+template <class F>
+Entry make_entry() {
+  Entry entry{F::name,
+              F::stands_for,
+              F::facts,
+              false,
+              0.5,
+              false,
+              &F::has_potential,
+              evaluators<F, double>(),
+              evaluators<F, Real50>(),
+              evaluators<F, Dual<Real50>>()};
   if constexpr (requires { F::kProbeXi; }) {
     entry.needs_xi = true;
     entry.probe_xi = F::kProbeXi;

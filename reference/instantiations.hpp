@@ -34,10 +34,17 @@
                                                            const Vec3<T>&, const Mat3<T>&);                    \
   prefix template PointResponse<T> force_response<false, T>(const RelativeMotion<T>&, const Isotropic<T>&,     \
                                                             const Vec3<T>&, const Mat3<T>&);                   \
-  prefix template PointResponse<T> coupled_response<true, T>(const RelativeMotion<T>&, const Isotropic<T>&,    \
-                                                             const LawResponse<T, 6>&, const MomentMap<T>&);   \
-  prefix template PointResponse<T> coupled_response<false, T>(const RelativeMotion<T>&, const Isotropic<T>&,   \
-                                                              const LawResponse<T, 6>&, const MomentMap<T>&);  \
+  prefix template RelativeMotion<T> linear_motion<T>(const JointEnd<T>&, const JointEnd<T>&, const Pose<T>&,   \
+                                                     const Pose<T>&);                                          \
+  prefix template StrainRates<T> strain_rates_of<T>(const RelativeMotion<T>&, const Isotropic<T>&);            \
+  prefix template PointResponse<T> fixed_force_response<true, T>(const RelativeMotion<T>&, const Vec3<T>&,     \
+                                                                 const Mat3<T>&);                              \
+  prefix template PointResponse<T> fixed_force_response<false, T>(const RelativeMotion<T>&, const Vec3<T>&,    \
+                                                                  const Mat3<T>&);                             \
+  prefix template void add_moment<true, T>(const RelativeMotion<T>&, const LawResponse<T, 6>&,                 \
+                                           const MomentMap<T>&, const StrainRates<T>&, PointResponse<T>&);     \
+  prefix template void add_moment<false, T>(const RelativeMotion<T>&, const LawResponse<T, 6>&,                \
+                                            const MomentMap<T>&, const StrainRates<T>&, PointResponse<T>&);    \
   prefix template NodeLoads<T> at_nodes<true, T>(const PointResponse<T>&, const RelativeMotion<T>&,            \
                                                  const JointEnd<T>&, const JointEnd<T>&, const Pose<T>&,       \
                                                  const Pose<T>&);                                              \

@@ -33,7 +33,8 @@ struct JointSpec {
 
 /// Either law, with N strains in scalar T. Members are defined outside the class so that an extern
 /// template keeps them out of every formulation's unit.
-template <class T, int N> class AnyLaw {
+template <class T, int N>
+class AnyLaw {
  public:
   explicit AnyLaw(const LawSpec& spec);
   LawResponse<T, N> operator()(const Eigen::Matrix<T, N, 1>& strain) const;
@@ -46,14 +47,16 @@ template <class T, int N> class AnyLaw {
 namespace detail {
 
 /// A diagonal compliance is inverted entry by entry: its digits must not depend on elimination.
-template <class T, int N> Eigen::Matrix<T, N, N> inverse_stiffness(const Eigen::Matrix<T, N, N>& m) {
+template <class T, int N>
+Eigen::Matrix<T, N, N> inverse_stiffness(const Eigen::Matrix<T, N, N>& m) {
   if (m.isDiagonal(T(0))) return m.diagonal().cwiseInverse().asDiagonal();
   return m.partialPivLu().inverse();
 }
 
 }  // namespace detail
 
-template <class T, int N> AnyLaw<T, N>::AnyLaw(const LawSpec& spec) {
+template <class T, int N>
+AnyLaw<T, N>::AnyLaw(const LawSpec& spec) {
   if (const auto* p = std::get_if<PolynomialSpec>(&spec)) {
     law_ = PolynomialLaw<T, N>{p->k1.template cast<T>(), p->k3.template cast<T>(), p->k5.template cast<T>()};
     return;
@@ -68,7 +71,8 @@ LawResponse<T, N> AnyLaw<T, N>::operator()(const Eigen::Matrix<T, N, 1>& strain)
   return std::visit([&](const auto& law) { return law(strain); }, law_);
 }
 
-template <class T, int N> T AnyLaw<T, N>::energy(const Eigen::Matrix<T, N, 1>& strain) const {
+template <class T, int N>
+T AnyLaw<T, N>::energy(const Eigen::Matrix<T, N, 1>& strain) const {
   return std::visit([&](const auto& law) { return law.energy(strain); }, law_);
 }
 

@@ -17,7 +17,8 @@ struct Setting {
 };
 
 /// The equilibrium path of a scene, from the unstrained pose on. T is double or Real50.
-template <class T> class Path {
+template <class T>
+class Path {
  public:
   /// References must outlive the path. @param xi  for a formulation that has one.
   Path(const Scene& scene, const Entry& entry, double xi, const Setting& setting = {});
@@ -38,10 +39,13 @@ template <class T> class Path {
  private:
   /// In the axes of the scene: the component of theta or u that the name asks for.
   static T component(const std::string& name, const Vec3<T>& theta, const Vec3<T>& u);
-  template <Kind kind> Eigen::Matrix<T, unknown_count(kind), 1> linear_response(const T& factor) const;
+  template <Kind kind>
+  Eigen::Matrix<T, unknown_count(kind), 1> linear_response(const T& factor) const;
 
-  template <Kind kind> Balance<T, unknown_count(kind)> internal(const Pose<T>& moving) const;
-  template <Kind kind> Outcome<T> follow_to(const T& factor) const;
+  template <Kind kind>
+  Balance<T, unknown_count(kind)> internal(const Pose<T>& moving) const;
+  template <Kind kind>
+  Outcome<T> follow_to(const T& factor) const;
 
   const Entry& entry_;
   JointSpec spec_;

@@ -16,7 +16,9 @@ struct Real50::Access {
   static_assert(std::is_trivially_destructible_v<Number>);
 
   static Number& of(Real50& r) { return *std::launder(reinterpret_cast<Number*>(r.storage_)); }
-  static const Number& of(const Real50& r) { return *std::launder(reinterpret_cast<const Number*>(r.storage_)); }
+  static const Number& of(const Real50& r) {
+    return *std::launder(reinterpret_cast<const Number*>(r.storage_));
+  }
   static void make(Real50& r, const Number& n) { new (r.storage_) Number(n); }
   static Real50 from(const Number& n) {
     Real50 r;
@@ -48,8 +50,10 @@ std::partial_ordering operator<=>(const Real50& a, const Real50& b) {
   return x == y ? std::partial_ordering::equivalent : std::partial_ordering::unordered;
 }
 
-#define HALFWAY_UNARY(name) \
-  Real50 name(const Real50& a) { return Real50::Access::from(boost::multiprecision::name(Real50::Access::of(a))); }
+#define HALFWAY_UNARY(name)                                                          \
+  Real50 name(const Real50& a) {                                                     \
+    return Real50::Access::from(boost::multiprecision::name(Real50::Access::of(a))); \
+  }
 HALFWAY_UNARY(abs)
 HALFWAY_UNARY(sqrt)
 HALFWAY_UNARY(sin)

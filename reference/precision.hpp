@@ -62,17 +62,27 @@ Real50 pi50();
 
 }  // namespace halfway::reference
 
-template <> struct halfway::RealDigits<halfway::reference::Real50> {
+template <>
+struct halfway::RealDigits<halfway::reference::Real50> {
   static constexpr int value = 168;
 };
 
 namespace Eigen {
-template <> struct NumTraits<halfway::reference::Real50> : GenericNumTraits<halfway::reference::Real50> {
+template <>
+struct NumTraits<halfway::reference::Real50> : GenericNumTraits<halfway::reference::Real50> {
   using Real = halfway::reference::Real50;
   using NonInteger = Real;
   using Nested = Real;
   using Literal = Real;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 4, AddCost = 40, MulCost = 60 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 4,
+    AddCost = 40,
+    MulCost = 60
+  };
   static Real epsilon() { return Real("5.3455294e-51"); }  // 2^-167
   static Real dummy_precision() { return Real("1e-45"); }
   static int digits10() { return 50; }

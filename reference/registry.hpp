@@ -12,7 +12,8 @@
 namespace halfway::reference {
 
 /// One formulation in scalar T. `angular` serves Kind::angular, `point` the two others.
-template <class T> struct Evaluators {
+template <class T>
+struct Evaluators {
   Eigen::Matrix<T, Eigen::Dynamic, 1> (*strain)(const JointSpec&, const Pose<T>& a, const Pose<T>& b);
   AngularLoads<T> (*angular)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
   NodeLoads<T> (*point)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
@@ -32,10 +33,14 @@ struct Entry {
   Evaluators<Real50> in_real50;
   Evaluators<Dual<Real50>> in_dual50;
 
-  template <class T> const Evaluators<T>& in() const {
-    if constexpr (std::is_same_v<T, double>) return in_double;
-    else if constexpr (std::is_same_v<T, Real50>) return in_real50;
-    else return in_dual50;
+  template <class T>
+  const Evaluators<T>& in() const {
+    if constexpr (std::is_same_v<T, double>)
+      return in_double;
+    else if constexpr (std::is_same_v<T, Real50>)
+      return in_real50;
+    else
+      return in_dual50;
   }
 };
 
@@ -64,7 +69,8 @@ NodeLoads<T> node_loads(const Entry& entry, const JointSpec& spec, const Pose<T>
 }
 
 /// Poses and ends in another scalar.
-template <class T, class S> Pose<T> cast(const Pose<S>& p) {
+template <class T, class S>
+Pose<T> cast(const Pose<S>& p) {
   return {p.x.template cast<T>(), p.R.template cast<T>()};
 }
 

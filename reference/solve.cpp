@@ -11,15 +11,18 @@ namespace {
 
 std::string describe(const Outcome<double>& state) {
   switch (state.status) {
-    case Status::converged: return "converged";
+    case Status::converged:
+      return "converged";
     case Status::singular_tangent:
       return fmt::format("stopped at load factor {:.6g}: the tangent is singular there", state.factor);
     default:
-      return fmt::format("stopped at load factor {:.6g}: no smaller load step converges on this branch", state.factor);
+      return fmt::format("stopped at load factor {:.6g}: no smaller load step converges on this branch",
+                         state.factor);
   }
 }
 
-template <class Value> std::vector<double> row_of(const Scene& scene, double factor, const Value& value) {
+template <class Value>
+std::vector<double> row_of(const Scene& scene, double factor, const Value& value) {
   std::vector<double> row{factor};
   for (const std::string& output : scene.outputs) row.push_back(value(output));
   return row;
@@ -78,8 +81,8 @@ bool accepts_law(const Entry& entry, const JointSpec& spec) {
 std::vector<Choice> choices(const Scene& scene) {
   std::vector<Choice> out;
   for (const Entry& entry : formulations()) {
-    const bool wanted =
-        scene.formulations.empty() || std::ranges::find(scene.formulations, entry.name) != scene.formulations.end();
+    const bool wanted = scene.formulations.empty() ||
+                        std::ranges::find(scene.formulations, entry.name) != scene.formulations.end();
     if (!wanted || !accepts_law(entry, scene.joint)) continue;
     if (!entry.needs_xi) {
       out.push_back({&entry, entry.probe_xi});
@@ -87,7 +90,8 @@ std::vector<Choice> choices(const Scene& scene) {
       for (double xi : scene.xis) out.push_back({&entry, xi});
     }
   }
-  if (scene.formulations.empty() || std::ranges::find(scene.formulations, kLinearized) != scene.formulations.end()) {
+  if (scene.formulations.empty() ||
+      std::ranges::find(scene.formulations, kLinearized) != scene.formulations.end()) {
     out.push_back({nullptr, 0.5});
   }
   return out;

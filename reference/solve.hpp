@@ -14,12 +14,12 @@ struct Curve {
   std::string scene;
   std::string formulation;
   double xi = 0.5;
-  std::vector<std::string> columns;           ///< "factor", then the scene's outputs
-  std::vector<std::vector<double>> rows;      ///< as many as converged; NaN never
-  bool converged = false;                     ///< up to the scene's last load factor
-  std::string outcome;                        ///< for people: "converged" or why not, and where
-  int iterations = 0;                         ///< Newton iterations of the whole path
-  double residual = 0;                        ///< at the last point, relative to the load
+  std::vector<std::string> columns;       ///< "factor", then the scene's outputs
+  std::vector<std::vector<double>> rows;  ///< as many as converged; NaN never
+  bool converged = false;                 ///< up to the scene's last load factor
+  std::string outcome;                    ///< for people: "converged" or why not, and where
+  int iterations = 0;                     ///< Newton iterations of the whole path
+  double residual = 0;                    ///< at the last point, relative to the load
 };
 
 /// The purely linear analysis: it exists for scenes only and is no entry of the catalog.

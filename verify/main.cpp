@@ -24,16 +24,20 @@ using halfway::verify::Verdict;
 
 std::string limits(const Finding& f) {
   switch (f.comparison) {
-    case Comparison::at_most: return fmt::format("limit {:.3g}", f.high);
-    case Comparison::within: return fmt::format("band {:.3g} ... {:.3g}", f.low, f.high);
-    case Comparison::equal: return fmt::format("expected {:.17g} +- {:.3g}", f.expected, f.high);
-    default: return "reported";
+    case Comparison::at_most:
+      return fmt::format("limit {:.3g}", f.high);
+    case Comparison::within:
+      return fmt::format("band {:.3g} ... {:.3g}", f.low, f.high);
+    case Comparison::equal:
+      return fmt::format("expected {:.17g} +- {:.3g}", f.expected, f.high);
+    default:
+      return "reported";
   }
 }
 
 std::string line(const Finding& f) {
-  return fmt::format("{}: {} {:.17g} {} ({}; {}) {}{}", to_string(f.verdict), f.name, f.value, f.unit, limits(f),
-                     to_string(f.oracle), f.parameter.empty() ? "" : "worst at " + f.parameter,
+  return fmt::format("{}: {} {:.17g} {} ({}; {}) {}{}", to_string(f.verdict), f.name, f.value, f.unit,
+                     limits(f), to_string(f.oracle), f.parameter.empty() ? "" : "worst at " + f.parameter,
                      f.reason.empty() ? "" : "; " + f.reason);
 }
 
@@ -43,7 +47,8 @@ void run(const Check& check) {
   for (const Finding& f : findings) {
     std::puts(line(f).c_str());
     if (std::isfinite(f.value)) {
-      fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name, f.value);
+      fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name,
+                 f.value);
     }
     BOOST_TEST((f.verdict != Verdict::fail), line(f));
   }
@@ -81,9 +86,7 @@ bool init() {
   return found;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--list") == 0) {
     for (const Check& check : halfway::verify::all_checks()) fmt::print("{} {}\n", check.label, check.name);
     return 0;
@@ -95,4 +98,15 @@ int main(int argc, char** argv) {
     argv += 2;
   }
   return boost::unit_test::unit_test_main(&init, argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_main(argc, argv);
+  } catch (const std::exception& e) {  // a scene or data file that cannot be read
+    std::fprintf(stderr, "halfway_verify: %s\n", e.what());
+    return 2;
+  }
 }

@@ -16,7 +16,9 @@ class Generator {
     while (v.norm() < 0.2) v = vector(1);
     return v.normalized();
   }
-  Mat3<double> rotation(double largest_phi) { return so3::exp<double>(uniform(0.1, largest_phi) * direction()); }
+  Mat3<double> rotation(double largest_phi) {
+    return so3::exp<double>(uniform(0.1, largest_phi) * direction());
+  }
 
  private:
   std::mt19937_64 engine_{20111};
@@ -63,9 +65,12 @@ std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double large
 
 const char* to_string(Kind kind) {
   switch (kind) {
-    case Kind::angular: return "angular";
-    case Kind::linear: return "linear";
-    default: return "linear_angular";
+    case Kind::angular:
+      return "angular";
+    case Kind::linear:
+      return "linear";
+    default:
+      return "linear_angular";
   }
 }
 

@@ -14,8 +14,8 @@ using reference::Real50;
 
 struct Probe {
   JointSpec spec;
-  Pose<double> a, b;    ///< orthonormal to rounding
-  double phi = 0;       ///< relative rotation, rad
+  Pose<double> a, b;  ///< orthonormal to rounding
+  double phi = 0;     ///< relative rotation, rad
 };
 
 /// `count` probes with relative rotations up to `largest_phi`, anisotropic stiffness with distinct

@@ -14,10 +14,12 @@ const reference::Scene& scene(const std::string& name) {
   return *it;
 }
 
-Vec3<reference::Real50> rotation_at(const std::string& scene_name, const reference::Entry& entry, double xi, double factor) {
+Vec3<reference::Real50> rotation_at(const std::string& scene_name, const reference::Entry& entry, double xi,
+                                    double factor) {
   reference::Path<reference::Real50> path(scene(scene_name), entry, xi);
   if (path.advance(factor).status != Status::converged) {
-    throw std::runtime_error(fmt::format("{}/{} does not reach load factor {}", scene_name, entry.name, factor));
+    throw std::runtime_error(
+        fmt::format("{}/{} does not reach load factor {}", scene_name, entry.name, factor));
   }
   return {path.output("theta_x"), path.output("theta_y"), path.output("theta_z")};
 }

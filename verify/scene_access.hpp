@@ -13,7 +13,8 @@ const reference::Scene& scene(const std::string& name);
 
 /// Outputs theta (rad) of a scene at a load factor, solved at 50 digits. Throws std::runtime_error
 /// when the path does not reach the factor.
-Vec3<reference::Real50> rotation_at(const std::string& scene_name, const reference::Entry& entry, double xi, double factor);
+Vec3<reference::Real50> rotation_at(const std::string& scene_name, const reference::Entry& entry, double xi,
+                                    double factor);
 
 /// The diagonal of the scene's linear compliance law: 3 values, or 6 with translation first.
 Eigen::VectorXd compliances(const reference::Scene& scene);

@@ -11,17 +11,20 @@ namespace halfway {
 struct ChronoBody {
   static constexpr const char* name = "chrono_body";
   static constexpr const char* stands_for = "Chrono ChLoadBodyBodyBushingGeneric";
-  static constexpr Facts facts{.moment_balance = {.linear = near(0.333), .linear_angular = near(0.186)},
-                               .node_order = {.angular = near(0.607), .linear = near(0.651), .linear_angular = near(2.19)},
-                               .symmetry = {.angular = near(0.682), .linear = near(0.546), .linear_angular = near(0.63)},
-                               .loop_work = {.angular = near(0.19), .linear = near(0.0524), .linear_angular = near(0.19)},
-                               .loop_slope = 3,
-                               .alpha = 1};
+  static constexpr Facts facts{
+      .moment_balance = {.linear = near(0.333), .linear_angular = near(0.186)},
+      .node_order = {.angular = near(0.607), .linear = near(0.651), .linear_angular = near(2.19)},
+      .symmetry = {.angular = near(0.682), .linear = near(0.546), .linear_angular = near(0.63)},
+      .loop_work = {.angular = near(0.19), .linear = near(0.0524), .linear_angular = near(0.19)},
+      .loop_slope = 3,
+      .alpha = 1};
 
+  static constexpr bool kLinearWithoutRotation = false;
   static constexpr bool has_potential(Kind) { return false; }
 
   /// (P_b^T (p_a - p_b), log(P_b^T P_a)): the motion of a seen from b.
-  template <Kind kind, class T> Strain<T, kind> strain(const RelativeMotion<T>& m) const {
+  template <Kind kind, class T>
+  Strain<T, kind> strain(const RelativeMotion<T>& m) const {
     if constexpr (kind == Kind::angular) {
       return -m.theta;
     } else if constexpr (kind == Kind::linear) {

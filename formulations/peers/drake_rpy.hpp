@@ -19,9 +19,11 @@ struct DrakeRpy {
                                .beta = 0.5};
 
   /// The torque alone derives from a potential; the midpoint force does not.
+  static constexpr bool kLinearWithoutRotation = false;
   static constexpr bool has_potential(Kind kind) { return kind == Kind::angular; }
 
-  template <Kind kind, class T> Strain<T, kind> strain(const RelativeMotion<T>& m) const {
+  template <Kind kind, class T>
+  Strain<T, kind> strain(const RelativeMotion<T>& m) const {
     return Equivalent{}.template strain<kind>(m);
   }
 

@@ -12,14 +12,17 @@ namespace halfway {
 struct ExudynIntrinsic {
   static constexpr const char* name = "exudyn_intrinsic";
   static constexpr const char* stands_for = "Exudyn RigidBodySpringDamper, intrinsicFormulation";
-  static constexpr Facts facts{.moment_balance = {.linear = near(0.00443), .linear_angular = near(0.00142)},
-                               .symmetry = {.angular = near(0.0558), .linear = near(0.0493), .linear_angular = near(0.0958)},
-                               .loop_work = {.angular = near(0.000307), .linear = near(0.000191), .linear_angular = near(0.00167)},
-                               .loop_slope = 4};
+  static constexpr Facts facts{
+      .moment_balance = {.linear = near(0.00443), .linear_angular = near(0.00142)},
+      .symmetry = {.angular = near(0.0558), .linear = near(0.0493), .linear_angular = near(0.0958)},
+      .loop_work = {.angular = near(0.000307), .linear = near(0.000191), .linear_angular = near(0.00167)},
+      .loop_slope = 4};
 
+  static constexpr bool kLinearWithoutRotation = false;
   static constexpr bool has_potential(Kind) { return false; }
 
-  template <Kind kind, class T> Strain<T, kind> strain(const RelativeMotion<T>& m) const {
+  template <Kind kind, class T>
+  Strain<T, kind> strain(const RelativeMotion<T>& m) const {
     return Equivalent{}.template strain<kind>(m);
   }
 
@@ -75,7 +78,8 @@ struct ExudynIntrinsic {
   using Translational = Family<Se3Translation, RotationVectorMeasure, Conjugate>;
   /// Same strains as the helicoidal joint; as an angular joint it is the invariant one.
   struct Equivalent : Family<FrameHalfway, RotationVectorMeasure, Projected> {
-    template <Kind kind, class T> Strain<T, kind> strain(const RelativeMotion<T>& m) const {
+    template <Kind kind, class T>
+    Strain<T, kind> strain(const RelativeMotion<T>& m) const {
       return Translational{}.template strain<kind>(m);
     }
   };

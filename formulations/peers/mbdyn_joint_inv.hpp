@@ -11,15 +11,18 @@ namespace halfway {
 struct MbdynJointInv {
   static constexpr const char* name = "mbdyn_joint_inv";
   static constexpr const char* stands_for = "MBDyn \"invariant deformable joint\" as coded";
-  static constexpr Facts facts{.node_order = {.angular = near(0.607), .linear = near(0.763), .linear_angular = near(0.686)},
-                               .symmetry = {.angular = near(0.739), .linear = near(0.567), .linear_angular = near(0.655)},
-                               .loop_work = {.angular = near(0.151), .linear = near(0.0142), .linear_angular = near(0.168)},
-                               .loop_slope = 3,
-                               .alpha = 0};
+  static constexpr Facts facts{
+      .node_order = {.angular = near(0.607), .linear = near(0.763), .linear_angular = near(0.686)},
+      .symmetry = {.angular = near(0.739), .linear = near(0.567), .linear_angular = near(0.655)},
+      .loop_work = {.angular = near(0.151), .linear = near(0.0142), .linear_angular = near(0.168)},
+      .loop_slope = 3,
+      .alpha = 0};
 
+  static constexpr bool kLinearWithoutRotation = false;
   static constexpr bool has_potential(Kind) { return false; }
 
-  template <Kind kind, class T> Strain<T, kind> strain(const RelativeMotion<T>& m) const {
+  template <Kind kind, class T>
+  Strain<T, kind> strain(const RelativeMotion<T>& m) const {
     return Invariant{}.template strain<kind>(m);
   }
 

@@ -19,11 +19,12 @@ struct Intrinsic : Family<FrameWeighted, RotationVectorMeasure, Projected> {
   static constexpr const char* name = "intrinsic";
   static constexpr const char* stands_for = "the paper's general form, any xi";
   static constexpr double kProbeXi = 0.3;
-  static constexpr Facts facts{.node_order = {.angular = near(0.248), .linear = near(0.571), .linear_angular = near(0.687)},
-                               .symmetry = {.angular = near(0.313), .linear_angular = near(0.202)},
-                               .loop_work = {.angular = near(0.0667), .linear_angular = near(0.0588)},
-                               .loop_slope = 3,
-                               .alpha = kProbeXi};
+  static constexpr Facts facts{
+      .node_order = {.angular = near(0.248), .linear = near(0.571), .linear_angular = near(0.687)},
+      .symmetry = {.angular = near(0.313), .linear_angular = near(0.202)},
+      .loop_work = {.angular = near(0.0667), .linear_angular = near(0.0588)},
+      .loop_slope = 3,
+      .alpha = kProbeXi};
   explicit Intrinsic(double xi = kProbeXi) : Family{FrameWeighted{xi}} {}
 };
 

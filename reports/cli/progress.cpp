@@ -13,7 +13,8 @@ Progress::Progress(std::string stage) : stage_(std::move(stage)), terminal_(isat
 void Progress::operator()(int done, int total, const std::string& item) {
   const int tenth = total > 0 ? 10 * done / total : 10;
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{} {}/{} {}{}", stage_, done, total, item.substr(0, 60), done == total ? "\n" : "");
+    fmt::print(stderr, "\r\033[K{} {}/{} {}{}", stage_, done, total, item.substr(0, 60),
+               done == total ? "\n" : "");
   } else if (tenth > last_tenth_) {
     fmt::print(stderr, "{} {}/{}\n", stage_, done, total);
   }

@@ -21,7 +21,8 @@ struct ReportOptions {
 };
 
 /// Wall time of a stage, s.
-template <class Work> double timed(const Work& work) {
+template <class Work>
+double timed(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -63,7 +64,8 @@ void solve_all(Results& results) {
     for (const auto& choice : reference::choices(scene)) {
       const auto curve = reference::solve_scene(scene, choice);
       if (!curve.converged) {
-        results.left_out.push_back({fmt::format("{}/{}, the rest of the path", scene.name, curve.formulation), curve.outcome});
+        results.left_out.push_back(
+            {fmt::format("{}/{}, the rest of the path", scene.name, curve.formulation), curve.outcome});
       }
       results.curves.push_back(curve);
     }
@@ -105,12 +107,12 @@ void report(const ReportOptions& options) {
   const auto wrong = std::ranges::count(results.timings, true, &bench::Timing::wrong);
   fmt::print("{} findings: {} pass, {} known failures in their bands, {} left out, {} fail; {} timings\n",
              results.findings.size(), count(results, reference::Verdict::pass),
-             count(results, reference::Verdict::known_failure), count(results, reference::Verdict::left_out), failed,
-             results.timings.size() - wrong);
+             count(results, reference::Verdict::known_failure), count(results, reference::Verdict::left_out),
+             failed, results.timings.size() - wrong);
   fmt::print("wrote {0}/index.html, results.json, summary.md, junit.xml, bench.json\n", options.folder);
   if (failed > 0 || wrong > 0) {
-    throw FailedRun(fmt::format("{} findings failed and {} benchmarks were wrong; see {}/summary.md", failed, wrong,
-                                options.folder));
+    throw FailedRun(fmt::format("{} findings failed and {} benchmarks were wrong; see {}/summary.md", failed,
+                                wrong, options.folder));
   }
 }
 

@@ -47,7 +47,8 @@ std::vector<reference::Choice> run_choices(const reference::Scene& scene,
   for (const std::string& name : names) {
     entries.push_back(name == reference::kLinearized ? nullptr : &entry_of(name));
     if (entries.back() && !reference::accepts_law(*entries.back(), scene.joint)) {
-      throw BadInput(fmt::format("{} refuses the law of scene {}: it couples translation and rotation", name, scene.name));
+      throw BadInput(fmt::format("{} refuses the law of scene {}: it couples translation and rotation", name,
+                                 scene.name));
     }
   }
   if (names.empty()) {

@@ -45,8 +45,8 @@ Finding expectation(const Scene& scene, const SceneReference& r, const std::stri
 
 /// A whole path serves all references of one formulation: load factors in rising order.
 template <class T>
-std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneReference>& references, const Entry& entry,
-                                const Setting& setting, const std::string& variant) {
+std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneReference>& references,
+                                const Entry& entry, const Setting& setting, const std::string& variant) {
   std::vector<Finding> findings;
   std::map<double, std::vector<const SceneReference*>> by_factor;
   for (const SceneReference& r : references) by_factor[r.factor].push_back(&r);
@@ -63,7 +63,8 @@ std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneRefer
   return findings;
 }
 
-std::vector<Finding> critical(const Scene& scene, const std::vector<SceneReference>& references, const Entry& entry) {
+std::vector<Finding> critical(const Scene& scene, const std::vector<SceneReference>& references,
+                              const Entry& entry) {
   std::vector<Finding> findings;
   const auto found = reference::first_buckling(entry, scene.joint, scene.critical_axis - 1);
   for (const SceneReference& r : references) {

@@ -9,7 +9,8 @@ constexpr double kAmplitude = 0.4;
 JointSpec generic_spec(const Entry& entry, Kind kind) { return probes(entry, kind, 1, 0.8).front().spec; }
 
 Finding relative_work(const Entry& entry, Kind kind, Finding f) {
-  const Measurement work{loop_work(of(entry), generic_spec(entry, kind), kAmplitude).relative(), "loop amplitude 0.4"};
+  const Measurement work{loop_work(of(entry), generic_spec(entry, kind), kAmplitude).relative(),
+                         "loop amplitude 0.4"};
   hold(f, work, entry.facts.loop_work.of(kind));
   f.unit = "relative to the turnover";
   if (f.comparison == Comparison::at_most) {

@@ -21,11 +21,12 @@ constexpr Order kOrders[] = {{"att_gn", "attached_a", false},
                              {"inv_ng", "invariant", true}};
 
 /// Largest difference of theta over a path, rad.
-Finding along(const std::string& scene_name, const Order& order, const nlohmann::json& loads, const nlohmann::json& thetas,
-              double limit, const std::string& reason) {
+Finding along(const std::string& scene_name, const Order& order, const nlohmann::json& loads,
+              const nlohmann::json& thetas, double limit, const std::string& reason) {
   Setting setting;
   setting.nodes_exchanged = order.exchanged;
-  reference::Path<double> path(scene(scene_name), *reference::find_formulation(order.formulation), 0.5, setting);
+  reference::Path<double> path(scene(scene_name), *reference::find_formulation(order.formulation), 0.5,
+                               setting);
   Finding f;
   f.name = fmt::format("mbdyn/{}/{}", scene_name, order.key);
   f.formulation = order.formulation;
@@ -52,22 +53,26 @@ Finding along(const std::string& scene_name, const Order& order, const nlohmann:
 void mbdyn_paths(Checks& checks) {
   for (const Order& order : kOrders) {
     const std::string key = order.key;
-    checks.push_back({"mbdyn/c1_skewed_torque/" + key, "peers", [order, key] {
-                        const auto data = reference::read_data("mbdyn/table1.json").at("cases").at(key).at("theta");
-                        return std::vector{along("c1_skewed_torque", order, nlohmann::json::array({1.0}),
-                                                 nlohmann::json::array({data}), 1e-15,
-                                                 "MBDyn's rotations are good to its Newton tolerance of 1e-15")};
-                      }});
+    checks.push_back(
+        {"mbdyn/c1_skewed_torque/" + key, "peers", [order, key] {
+           const auto data = reference::read_data("mbdyn/table1.json").at("cases").at(key).at("theta");
+           return std::vector{along("c1_skewed_torque", order, nlohmann::json::array({1.0}),
+                                    nlohmann::json::array({data}), 1e-15,
+                                    "MBDyn's rotations are good to its Newton tolerance of 1e-15")};
+         }});
     checks.push_back({"mbdyn/c2_parallelepiped_small/" + key, "peers", [order, key] {
-                        const auto data = reference::read_data("mbdyn/parallelepiped_angular.json").at("fig3").at(key);
-                        return std::vector{along("c2_parallelepiped_small", order, data.at("M"), data.at("theta"), 1e-15,
-                                                 "as Table 1")};
+                        const auto data =
+                            reference::read_data("mbdyn/parallelepiped_angular.json").at("fig3").at(key);
+                        return std::vector{along("c2_parallelepiped_small", order, data.at("M"),
+                                                 data.at("theta"), 1e-15, "as Table 1")};
                       }});
-    checks.push_back({"mbdyn/c3_buckling/" + key, "peers", [order, key] {
-                        const auto data = reference::read_data("mbdyn/parallelepiped_angular.json").at("fig4").at(key);
-                        return std::vector{along("c3_buckling", order, data.at("M"), data.at("theta"), 1e-11,
-                                                 "MBDyn stops at a residual of 1e-12 or so, which the nearly singular tangent amplifies")};
-                      }});
+    checks.push_back(
+        {"mbdyn/c3_buckling/" + key, "peers", [order, key] {
+           const auto data = reference::read_data("mbdyn/parallelepiped_angular.json").at("fig4").at(key);
+           return std::vector{along(
+               "c3_buckling", order, data.at("M"), data.at("theta"), 1e-11,
+               "MBDyn stops at a residual of 1e-12 or so, which the nearly singular tangent amplifies")};
+         }});
   }
 }
 

@@ -9,7 +9,8 @@
 namespace halfway::verify {
 namespace {
 
-constexpr const char* kReason = "mirror symmetry of the body forces xi = 1/2 at second order; reported, not judged";
+constexpr const char* kReason =
+    "mirror symmetry of the body forces xi = 1/2 at second order; reported, not judged";
 
 Finding reported(Finding f, double value, double truth, double uncertainty, const std::string& where) {
   f.value = std::abs(value / truth - 1);
@@ -68,9 +69,12 @@ void modelling_error(Checks& checks) {
   add_property(checks, "modelling_error", {Kind::angular, Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Finding f) {
                  switch (kind) {
-                   case Kind::angular: return of_moment(entry, f);
-                   case Kind::linear: return of_held_orientation(entry, f);
-                   default: return of_force(entry, f);
+                   case Kind::angular:
+                     return of_moment(entry, f);
+                   case Kind::linear:
+                     return of_held_orientation(entry, f);
+                   default:
+                     return of_force(entry, f);
                  }
                });
 }

@@ -20,7 +20,8 @@ Errors errors(const Entry& entry, const Probe& probe) {
                                                    reference::cast<Real50>(probe.b), true);
   const Eigen::Matrix<double, 12, 12> T = exact.tangent.cast<double>();
   const double q_error = (in_double.q.cast<Real50>() - exact.q).cast<double>().lpNorm<Eigen::Infinity>();
-  const double T_error = (in_double.tangent.cast<Real50>() - exact.tangent).cast<double>().lpNorm<Eigen::Infinity>();
+  const double T_error =
+      (in_double.tangent.cast<Real50>() - exact.tangent).cast<double>().lpNorm<Eigen::Infinity>();
   const double T_size = T.lpNorm<Eigen::Infinity>();
   const double q_size = std::max(exact.q.cast<double>().lpNorm<Eigen::Infinity>(), T_size);
   constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -38,7 +39,8 @@ Finding worst(const Entry& entry, Kind kind, Finding f, double Errors::*member) 
   f.unit = "eps";
   f.oracle = Oracle::fifty_digits;
   f.high = 10;
-  f.reason = "a chain of about ten 3x3 products, half an eps each in the mean: twice the worst ever seen, 4.4";
+  f.reason =
+      "a chain of about ten 3x3 products, half an eps each in the mean: twice the worst ever seen, 4.4";
   return f;
 }
 

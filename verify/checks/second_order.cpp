@@ -58,7 +58,8 @@ std::optional<double> force_frame(const Entry& entry) {
   for (const char* name : {"attached_b", "field_b"}) {
     if (entry.name == name) return 1;
   }
-  for (const char* name : {"invariant", "conformal", "potential", "quaternion", "cayley", "helicoidal", "drake_rpy"}) {
+  for (const char* name :
+       {"invariant", "conformal", "potential", "quaternion", "cayley", "helicoidal", "drake_rpy"}) {
     if (entry.name == name) return 0.5;
   }
   return std::nullopt;

@@ -5,7 +5,8 @@ namespace halfway::verify {
 namespace {
 
 constexpr double kResolution = 1e-9;
-constexpr const char* kResolutionReason = "second differences at 50 digits resolve the coefficients to better than 1e-9";
+constexpr const char* kResolutionReason =
+    "second differences at 50 digits resolve the coefficients to better than 1e-9";
 
 using Coefficient = double Fingerprint::*;
 

@@ -14,8 +14,10 @@ Eigen::VectorXd residual(const Entry& entry, const JointSpec& spec, const refere
   if (spec.kind != Kind::angular) b.x = x.head<3>();
   const auto q = reference::node_loads<double>(entry, spec, {}, b, false).q;
   Eigen::VectorXd r = q.tail(x.size());
-  if (load.type == reference::LoadType::fixed_force) r.head<3>() -= load.value;
-  else r.tail<3>() -= load.value;
+  if (load.type == reference::LoadType::fixed_force)
+    r.head<3>() -= load.value;
+  else
+    r.tail<3>() -= load.value;
   return r / load.value.norm();
 }
 
@@ -29,7 +31,8 @@ Finding compare(const Entry& entry, const std::string& scene_name, Finding f) {
   path.advance(1);
   Eigen::VectorXd ours(strain_count(spec.kind));
   ours.tail<3>() << path.output("theta_x"), path.output("theta_y"), path.output("theta_z");
-  if (spec.kind != Kind::angular) ours.head<3>() << path.output("u_x"), path.output("u_y"), path.output("u_z");
+  if (spec.kind != Kind::angular)
+    ours.head<3>() << path.output("u_x"), path.output("u_y"), path.output("u_z");
   f.unit = "relative";
   f.value = (gsl.x - ours).norm() / ours.norm();
   f.high = 1e-10;

@@ -15,7 +15,8 @@ double half_unit(const std::string& printed) {
   return 0.5 * std::pow(10.0, -double(printed.size() - point - 1));
 }
 
-Finding digit(const std::string& column, const std::string& formulation, int row, const std::string& printed, double ours) {
+Finding digit(const std::string& column, const std::string& formulation, int row, const std::string& printed,
+              double ours) {
   const char* rows[] = {"theta_x", "theta_y", "theta_z"};
   Finding f;
   f.name = fmt::format("table_1/{}/{}", column, rows[row]);
@@ -30,13 +31,15 @@ Finding digit(const std::string& column, const std::string& formulation, int row
   f.comparison = Comparison::equal;
   f.oracle = Oracle::printed;
   f.uncertainty = half_unit(printed);
-  f.reason = adams ? "one unit of the last printed digit: the print goes back to six-digit Euler parameters"
-                   : "half a unit of the last printed digit; theta_x is printed with the sign of the literal [36]";
+  f.reason =
+      adams ? "one unit of the last printed digit: the print goes back to six-digit Euler parameters"
+            : "half a unit of the last printed digit; theta_x is printed with the sign of the literal [36]";
   return f;
 }
 
 /// The printed text, or the right one where the errata correct it.
-std::string corrected(const nlohmann::json& tables, const std::string& column, int row, const std::string& printed) {
+std::string corrected(const nlohmann::json& tables, const std::string& column, int row,
+                      const std::string& printed) {
   const std::string where = fmt::format("table_1.columns.{}.printed[{}]", column, row);
   for (const auto& erratum : tables.at("errata")) {
     if (erratum.at("where") == where) return erratum.at("right");
@@ -73,7 +76,8 @@ std::vector<Finding> compare_column(const std::string& column) {
 
 void table_one(Checks& checks) {
   for (const char* column : {"ground", "ground_adams", "node", "node_adams", "invariant"}) {
-    checks.push_back({fmt::format("table_1/{}", column), "cases", [column] { return compare_column(column); }});
+    checks.push_back(
+        {fmt::format("table_1/{}", column), "cases", [column] { return compare_column(column); }});
   }
 }
 

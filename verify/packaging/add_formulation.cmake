@@ -1,5 +1,5 @@
-# The trial formulation, one header and one catalog line, appears in tests, benchmarks and the command
-# line, and passes the tests that it gets.
+# The trial formulation, one header and one catalog line, appears in tests, benchmarks, the command
+# line and the report, and passes the tests that it gets.
 cmake_minimum_required(VERSION 3.25)
 file(MAKE_DIRECTORY "${WORK}")
 
@@ -50,4 +50,11 @@ expect("${listing}" "trial" "halfway list")
 said(answer "{\"id\": 1, \"formulation\": \"trial\", \"kind\": \"angular\", \"law\": {\"type\": \"linear\", \"K\": [[1,0,0],[0,2,0],[0,0,3]]}, \"a\": {\"x\": [0,0,0], \"q\": [1,0,0,0]}, \"b\": {\"x\": [0,0,0], \"q\": [1,0,0,0]}}\n"
      "${CLI}" eval)
 expect("${answer}" "\"loads\"" "halfway eval")
-message(STATUS "trial: ${count} tests passed, benchmarks checked, listed and evaluated")
+
+said(reported "" "${CLI}" report --quick --out "${WORK}/report")
+file(READ "${WORK}/report/results.json" results)
+expect("${results}" "\"trial/angular/tangent\"" "results.json")
+expect("${results}" "\"trial/linear_angular/residual\"" "results.json")
+file(READ "${WORK}/report/summary.md" summary)
+expect("${summary}" "trial" "summary.md")
+message(STATUS "trial: ${count} tests passed, benchmarks checked, listed, evaluated and reported")
