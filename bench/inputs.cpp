@@ -62,15 +62,4 @@ Inputs inputs(Kind kind, double xi, bool block_diagonal) {
   return in;
 }
 
-const char* to_string(Kind kind) {
-  switch (kind) {
-    case Kind::angular:
-      return "angular";
-    case Kind::linear:
-      return "linear";
-    default:
-      return "linear_angular";
-  }
-}
-
 }  // namespace halfway::bench

@@ -22,6 +22,4 @@ inline constexpr int kPoses = 256;
 /// `block_diagonal`.
 Inputs inputs(Kind kind, double xi, bool block_diagonal);
 
-const char* to_string(Kind kind);
-
 }  // namespace halfway::bench

@@ -86,6 +86,16 @@ Pose<T> displaced(const Pose<T>& b, const Eigen::Matrix<T, unknown_count(kind), 
   return out;
 }
 
+/// J^-1 r; not finite where J is singular. Three unknowns by cofactors, six by elimination: Newton
+/// corrects what either loses, because the residual is computed afresh.
+template <class T, int n>
+Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matrix<T, n, 1>& r) {
+  if constexpr (n == 3)
+    return J.inverse() * r;
+  else
+    return J.partialPivLu().solve(r);
+}
+
 /// Newton at one load factor, until the steps stop shrinking: to rounding, not to a tolerance.
 /// @return iterations used, or 0 when it did not converge; `b` is the solution.
 template <Kind kind, class T, class Internal>
@@ -99,8 +109,8 @@ int newton(const Internal& internal, const NodeLoad<T>& load, const T& factor,
     const auto inside = internal(b);
     const auto outside = applied<kind>(load, factor, b);
     const Eigen::Matrix<T, unknown_count(kind), unknown_count(kind)> J = inside.tangent - outside.tangent;
-    const Eigen::Matrix<T, unknown_count(kind), 1> step =
-        J.partialPivLu().solve(Eigen::Matrix<T, unknown_count(kind), 1>(outside.load - inside.load));
+    const Eigen::Matrix<T, unknown_count(kind), 1> imbalance = outside.load - inside.load;
+    const Eigen::Matrix<T, unknown_count(kind), 1> step = solved(J, imbalance);
     const T size = step.norm();
     singular = !isfinite(size);
     if (singular) return 0;

@@ -100,6 +100,18 @@ PointResponse<T> fixed_force_response(const RelativeMotion<T>& m, const Vec3<T>&
   return r;
 }
 
+/// The loads alone, where M turns p into a frame Q whose spin is A psi: the closed form [30].
+template <class T>
+PointResponse<T> frame_force_response(const RelativeMotion<T>& m, const Mat3<T>& Q, const Mat3<T>& A,
+                                      const Vec3<T>& fbar) {
+  PointResponse<T> r;
+  r.f = Q * fbar;
+  const Vec3<T> moment = m.p.cross(r.f);
+  r.m_b = -(A.transpose() * moment);
+  r.m_a = -(r.m_b + moment);
+  return r;
+}
+
 /// Adds the moment stress and the coupling of a linear/angular law to the force's response.
 template <bool with_tangent, class T>
 void add_moment(const RelativeMotion<T>& m, const LawResponse<T, 6>& law, const MomentMap<T>& map,
@@ -145,6 +157,8 @@ struct Family {
       return Measure::strain(m);
     } else if constexpr (kind == Kind::linear && Translation::kConstant) {
       return m.p;
+    } else if constexpr (kind == Kind::linear && Translation::kFrame) {
+      return translation.rotation(m).transpose() * m.p;
     } else if constexpr (kind == Kind::linear) {
       return translation.motion(T(m.theta.squaredNorm())).times(m.theta, m.p);
     } else {
@@ -191,6 +205,8 @@ struct Family {
   PointResponse<T> force(const RelativeMotion<T>& m, const Vec3<T>& fbar, const Mat3<T>& K) const {
     if constexpr (Translation::kConstant)
       return fixed_force_response<with_tangent>(m, fbar, K);
+    else if constexpr (Translation::kFrame && !with_tangent)
+      return frame_force_response(m, translation.rotation(m), translation.spin(m), fbar);
     else
       return force_response<with_tangent>(m, translation.motion(T(m.theta.squaredNorm())), fbar, K);
   }

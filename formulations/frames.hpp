@@ -1,7 +1,8 @@
 // Translation measures dbar = M(theta) p: the frame xi in which the relative position is seen.
 //
 // A translation offers motion(s), the isotropic function M; one that is also a frame offers
-// rotation(m) = Q, frame xi seen from P_a (M = Q^T), and spin(m) = A, spin of Q = A psi [26].
+// rotation(m) = Q, frame xi seen from P_a (M = Q^T), and spin(m) = A, spin of Q = A psi [26]. kConstant:
+// M is the identity at any theta; kFrame: it is a frame.
 #pragma once
 
 #include "formulations/pose.hpp"
@@ -11,6 +12,7 @@ namespace halfway {
 /// xi = 0: the joint frame of node a. M is the identity and nothing turns.
 struct FrameA {
   static constexpr bool kConstant = true;
+  static constexpr bool kFrame = true;
   template <class T>
   static Isotropic<T> motion(const T&) {
     return constant_isotropic<T>();
@@ -28,6 +30,7 @@ struct FrameA {
 /// xi = 1: the joint frame of node b.
 struct FrameB {
   static constexpr bool kConstant = false;
+  static constexpr bool kFrame = true;
   template <class T>
   static Isotropic<T> motion(const T& s) {
     return so3::exp_isotropic(s, T(-1));
@@ -45,6 +48,7 @@ struct FrameB {
 /// xi = 1/2: half-way between the nodes; no trigonometric function [32, 71, 72].
 struct FrameHalfway {
   static constexpr bool kConstant = false;
+  static constexpr bool kFrame = true;
   template <class T>
   static Isotropic<T> motion(const T& s) {
     return so3::exp_isotropic(s, T(T(-1) / T(2)));
@@ -73,6 +77,7 @@ struct FrameHalfway {
 struct FrameWeighted {
   double xi = 0.5;
   static constexpr bool kConstant = false;
+  static constexpr bool kFrame = true;
   template <class T>
   Isotropic<T> motion(const T& s) const {
     return so3::exp_isotropic(s, T(-xi));
@@ -90,6 +95,7 @@ struct FrameWeighted {
 /// Not a frame: v = Gamma(theta)^-1 p, the translation part of the logarithm on SE(3).
 struct Se3Translation {
   static constexpr bool kConstant = false;
+  static constexpr bool kFrame = false;
   template <class T>
   static Isotropic<T> motion(const T& s) {
     return so3::gamma_inverse_isotropic(s);

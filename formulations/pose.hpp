@@ -8,6 +8,11 @@ namespace halfway {
 /// What a joint strains: its relative rotation, its relative position, or both.
 enum class Kind { angular, linear, linear_angular };
 
+/// The name of a kind, the same in scenes, requests, tests and reports.
+constexpr const char* to_string(Kind kind) {
+  return kind == Kind::angular ? "angular" : kind == Kind::linear ? "linear" : "linear_angular";
+}
+
 /// Number of strains of a kind: 3, 3 or 6.
 constexpr int strain_count(Kind kind) { return kind == Kind::linear_angular ? 6 : 3; }
 

@@ -3,12 +3,6 @@
 
 #include "reference/instantiations.hpp"
 
-namespace halfway {
-HALFWAY_INSTANTIATE(extern, double)
-HALFWAY_INSTANTIATE(extern, reference::Real50)
-HALFWAY_INSTANTIATE(extern, reference::Dual<reference::Real50>)
-}  // namespace halfway
-
 namespace halfway::reference {
 
 template <class F>

@@ -41,6 +41,8 @@
                                                                  const Mat3<T>&);                              \
   prefix template PointResponse<T> fixed_force_response<false, T>(const RelativeMotion<T>&, const Vec3<T>&,    \
                                                                   const Mat3<T>&);                             \
+  prefix template PointResponse<T> frame_force_response<T>(const RelativeMotion<T>&, const Mat3<T>&,           \
+                                                           const Mat3<T>&, const Vec3<T>&);                    \
   prefix template void add_moment<true, T>(const RelativeMotion<T>&, const LawResponse<T, 6>&,                 \
                                            const MomentMap<T>&, const StrainRates<T>&, PointResponse<T>&);     \
   prefix template void add_moment<false, T>(const RelativeMotion<T>&, const LawResponse<T, 6>&,                \
@@ -52,3 +54,9 @@
                                                   const JointEnd<T>&, const JointEnd<T>&, const Pose<T>&,      \
                                                   const Pose<T>&);
 // clang-format on
+
+namespace halfway {
+HALFWAY_INSTANTIATE(extern, double)
+HALFWAY_INSTANTIATE(extern, reference::Real50)
+HALFWAY_INSTANTIATE(extern, reference::Dual<reference::Real50>)
+}  // namespace halfway

@@ -111,7 +111,7 @@ template <class T>
 template <Kind kind>
 Eigen::Matrix<T, unknown_count(kind), 1> Path<T>::linear_response(const T& factor) const {
   const auto load = applied<kind>(load_, factor, start_).load;
-  return internal<kind>(start_).tangent.partialPivLu().solve(load);
+  return solved(internal<kind>(start_).tangent, load);
 }
 
 template <class T>

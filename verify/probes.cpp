@@ -63,15 +63,4 @@ std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double large
   return out;
 }
 
-const char* to_string(Kind kind) {
-  switch (kind) {
-    case Kind::angular:
-      return "angular";
-    case Kind::linear:
-      return "linear";
-    default:
-      return "linear_angular";
-  }
-}
-
 }  // namespace halfway::verify

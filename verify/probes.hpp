@@ -1,7 +1,7 @@
 // Generic probes: poses, ends and laws without any symmetry, fixed seed, exact in double.
 #pragma once
 
-#include "reference/registry.hpp"
+#include "reference/instantiations.hpp"  // extern: the checks compile none of it again
 
 #include <string>
 #include <vector>
@@ -22,7 +22,6 @@ struct Probe {
 /// entries, offsets and joint frames on both ends; the law is block diagonal where the entry asks.
 std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double largest_phi);
 
-const char* to_string(Kind kind);
 inline constexpr Kind kKinds[] = {Kind::angular, Kind::linear, Kind::linear_angular};
 
 }  // namespace halfway::verify

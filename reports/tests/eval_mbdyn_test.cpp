@@ -39,7 +39,7 @@ json request_of(const json& pose, const Peer& peer) {
             {"h", quaternion_of(matrix_of(pose.at(h)))}};
   };
   return {{"formulation", peer.formulation},
-          {"kind", name_of(peer.kind)},
+          {"kind", to_string(peer.kind)},
           {"law", {{"type", "linear"}, {"K", pose.at(peer.kind == Kind::linear_angular ? "K6" : "K3")}}},
           {"a", node("xA", "RA", "oA", "R1h")},
           {"b", node("xB", "RB", "oB", "R2h")},

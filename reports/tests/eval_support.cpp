@@ -8,17 +8,6 @@ namespace halfway::reports::test {
 
 using nlohmann::json;
 
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::angular:
-      return "angular";
-    case Kind::linear:
-      return "linear";
-    default:
-      return "linear_angular";
-  }
-}
-
 json generic_request(const reference::Entry& entry, Kind kind) {
   const json K3 = {{4.0, 0.5, -0.25}, {0.5, 2.0, 0.75}, {-0.25, 0.75, 9.0}};
   json K = K3;
@@ -35,7 +24,7 @@ json generic_request(const reference::Entry& entry, Kind kind) {
   // Unit quaternions that are rational: no rounding of the input is in the way.
   json request = {{"id", "generic"},
                   {"formulation", entry.name},
-                  {"kind", name_of(kind)},
+                  {"kind", to_string(kind)},
                   {"law", {{"type", "linear"}, {"K", K}}},
                   {"a",
                    {{"x", {0.25, -1.5, 0.75}},

@@ -12,7 +12,6 @@ namespace halfway::reports::test {
 nlohmann::json generic_request(const reference::Entry& entry, Kind kind);
 
 inline constexpr Kind kKinds[] = {Kind::angular, Kind::linear, Kind::linear_angular};
-const char* name_of(Kind kind);
 
 /// eval_line, read back; fails the test when the answer is not one line of JSON.
 nlohmann::json answer(const std::string& line);

@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(every_formulation_and_kind) {
   BOOST_REQUIRE(!reference::formulations().empty());
   for (const auto& entry : reference::formulations()) {
     for (Kind kind : kKinds) {
-      BOOST_TEST_CONTEXT(entry.name << '/' << name_of(kind)) {
+      BOOST_TEST_CONTEXT(entry.name << '/' << to_string(kind)) {
         json request = generic_request(entry, kind);
         check_answer(request, entry, kind);
         request["law"] = polynomial(kind);
