@@ -91,12 +91,17 @@ void add_scene(Checks& checks, const Scene& scene) {
   for (const SceneReference& r : scene.references) {
     (reference::is_critical(r.output) ? criticals : paths)[path_name(r)].push_back(r);
   }
-  for (const auto& [key, references] : criticals) {
+  // Named one by one: clang 14 cannot capture structured bindings.
+  for (const auto& item : criticals) {
+    const std::string& key = item.first;
+    const std::vector<SceneReference>& references = item.second;
     const Entry& entry = *reference::find_formulation(references.front().formulation);
     checks.push_back({scene.name + "/" + key + "/critical", "cases",
                       [=, &entry] { return critical(scene, references, entry); }});
   }
-  for (const auto& [key, references] : paths) {
+  for (const auto& item : paths) {
+    const std::string& key = item.first;
+    const std::vector<SceneReference>& references = item.second;
     const Entry& entry = *reference::find_formulation(references.front().formulation);
     const std::string name = scene.name + "/" + key;
     checks.push_back({name + "/double", "cases",
