@@ -17,7 +17,10 @@ class Generator {
     return v.normalized();
   }
   Mat3<double> rotation(double largest_phi) {
-    return so3::exp<double>(uniform(0.1, largest_phi) * direction());
+    // Two statements: compilers order the factors of a product freely.
+    const Vec3<double> axis = direction();
+    const double phi = uniform(0.1, largest_phi);
+    return so3::exp<double>(phi * axis);
   }
 
  private:
