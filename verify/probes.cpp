@@ -1,31 +1,13 @@
 #include "verify/probes.hpp"
 
-#include <random>
+#include "reference/random.hpp"
 
 namespace halfway::verify {
 namespace {
 
-class Generator {
- public:
-  double uniform(double low, double high) { return low + (high - low) * double(engine_() >> 11) * 0x1p-53; }
-  Vec3<double> vector(double size) {
-    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
-  }
-  Vec3<double> direction() {
-    Vec3<double> v = vector(1);
-    while (v.norm() < 0.2) v = vector(1);
-    return v.normalized();
-  }
-  Mat3<double> rotation(double largest_phi) {
-    // Two statements: compilers order the factors of a product freely.
-    const Vec3<double> axis = direction();
-    const double phi = uniform(0.1, largest_phi);
-    return so3::exp<double>(phi * axis);
-  }
+using reference::Generator;
 
- private:
-  std::mt19937_64 engine_{20111};
-};
+constexpr double kLeastAngle = 0.1;  ///< rad, of ends and poses: nothing accidentally aligned
 
 /// Symmetric positive definite, eigenvalues spread over 1 ... 100, no axis aligned.
 Eigen::MatrixXd stiffness(Generator& g, int n) {
@@ -41,7 +23,7 @@ Eigen::MatrixXd stiffness(Generator& g, int n) {
 }  // namespace
 
 std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double largest_phi) {
-  Generator g;
+  Generator g(20111);
   std::vector<Probe> out;
   for (int i = 0; i < count; ++i) {
     Probe probe;
@@ -53,9 +35,9 @@ std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double large
       K.bottomLeftCorner(3, 3).setZero();
     }
     probe.spec.law = reference::LinearSpec{K, false};
-    probe.spec.a = {g.vector(0.7), g.rotation(2)};
-    probe.spec.b = {g.vector(0.7), g.rotation(2)};
-    probe.a = {g.vector(2), g.rotation(3)};
+    probe.spec.a = {g.vector(0.7), g.rotation(kLeastAngle, 2)};
+    probe.spec.b = {g.vector(0.7), g.rotation(kLeastAngle, 2)};
+    probe.a = {g.vector(2), g.rotation(kLeastAngle, 3)};
     probe.phi = largest_phi * (i + 1) / count;
     const Mat3<double> P_a = probe.a.R * probe.spec.a.H;
     const Mat3<double> P_b = P_a * so3::exp<double>(probe.phi * g.direction());

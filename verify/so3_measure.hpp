@@ -4,13 +4,13 @@
 // so that a wrong twin is measured exactly as the library's own function is.
 #pragma once
 
+#include "reference/random.hpp"
 #include "verify/measures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <random>
 
 namespace halfway::verify {
 
@@ -30,9 +30,8 @@ namespace detail {
 inline std::vector<Vec3<Real50>> directions() {
   std::vector<Vec3<double>> raw = {{1, 0, 0},  {0, 1, 0},  {0, 0, -1},   {1, 1, 0},
                                    {1, -1, 1}, {0, 1, -1}, {1, 1e-8, 0}, {-1e-3, 2e-5, 1}};
-  std::mt19937_64 engine(2011);
-  const auto uniform = [&] { return double(engine() >> 11) * 0x1p-52 - 1; };
-  for (int i = 0; i < 6; ++i) raw.emplace_back(uniform(), uniform(), uniform());
+  reference::Generator g(2011);
+  for (int i = 0; i < 6; ++i) raw.push_back(g.vector(1));
   std::vector<Vec3<Real50>> out;
   for (const auto& v : raw) out.push_back(Vec3<Real50>(v.cast<Real50>().normalized()));
   return out;
