@@ -22,5 +22,6 @@ void add_run(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_report(CLI::App& app);
+void add_reference(CLI::App& app);
 
 }  // namespace halfway::reports

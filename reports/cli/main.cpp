@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   reports::add_eval(app);
   reports::add_bench(app);
   reports::add_report(app);
+  reports::add_reference(app);
   try {
     app.parse(argc, argv);
     return 0;

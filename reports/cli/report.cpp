@@ -3,6 +3,7 @@
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/writers/paper.hpp"
+#include "reports/writers/solids.hpp"
 #include "reports/writers/writers.hpp"
 #include "verify/check.hpp"
 
@@ -98,6 +99,12 @@ void report(const ReportOptions& options) {
   results.command = options.quick ? "./halfway report --quick" : "./halfway report";
   results.formulations = formulation_infos();
   results.paper = paper_record();
+  results.solids = solids_record();
+  for (auto& curve : solid_reference_curves()) results.paper["reference_curves"].push_back(std::move(curve));
+  for (const auto& missing : results.solids.at("missing")) {
+    results.left_out.push_back(
+        {missing.at("what"), "its kept data is missing or stale: run ./halfway reference"});
+  }
   results.durations["verify"] = timed([&] { verify_all(results); });
   results.durations["solve"] = timed([&] { solve_all(results); });
   results.durations["time"] = timed([&] { time_all(options, results); });

@@ -48,6 +48,12 @@ function publish() {
   else if (sealed && of('waiting').length === 0) root.dataset.state = of('empty').length ? 'incomplete' : 'ready';
 }
 
+/** For what is drawn without Vega: 'drawn' or 'empty'. */
+export function account(id, state) {
+  charts.set(id, state);
+  publish();
+}
+
 export class Chart {
   /** `id` names the chart in the page's account; `label` is read by screen readers. */
   constructor(id, label) {
@@ -60,9 +66,16 @@ export class Chart {
 
   /** No data: says so in the chart's place. */
   empty(why) {
-    charts.set(this.id, 'empty');
+    account(this.id, 'empty');
     this.box.replaceChildren(h('p', {class: 'empty'}, `Not drawn: ${why}`));
-    publish();
+  }
+
+  /** There is data, but words say more than a picture; after whatever is still being drawn here. */
+  say(text) {
+    this.queue = this.queue.then(() => {
+      this.box.replaceChildren(h('p', {class: 'empty'}, text));
+      account(this.id, 'drawn');
+    });
   }
 
   /** Draws after whatever is still being drawn here. */
@@ -73,9 +86,9 @@ export class Chart {
 
   async embed(spec, patch) {
     const full = {width: 'container', autosize: {type: 'fit', contains: 'padding'}, ...spec, description: this.label, config};
+    this.view?.finalize();  // before its place is cleared: a window resized meanwhile would find it without width
     const result = await vegaEmbed(this.box, full, {mode: 'vega-lite', renderer: 'svg', actions: false, ast: false, patch,
                                                      tooltip: {theme: 'custom', disableDefaultStyle: true}, logLevel: 1});
-    this.view?.finalize();
     this.view = result.view;
     charts.set(this.id, this.box.querySelector('svg') ? 'drawn' : 'waiting');
     publish();
@@ -86,5 +99,8 @@ export class Chart {
 export function figure(title, controls, charts_, caption) {
   return h('figure', {}, h('h3', {}, title), controls, charts_, caption ? h('figcaption', {}, caption) : null);
 }
+
+/** Lines of a logarithmic axis at its decades only. */
+export const AT_DECADES = {condition: {test: 'power10(datum.value) != ""', value: 1}, value: 0};
 
 export const isNarrow = () => window.innerWidth < 640;

@@ -54,14 +54,20 @@ export class Results {
     return (this.paper?.reference_curves ?? []).filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`));
   }
 
-  /** One point per formulation and kind; `missing` says why a point cannot be drawn. */
-  accuracy(what, error) {
+  /** Bodies and groups of couplings for which formulations were held against the 3D truth. */
+  solidViews() {
+    const found = this.findings.map((f) => f.name.match(/\/fe_(\w+)_(moments|forces|all)$/)).filter(Boolean);
+    return {bodies: [...new Set(found.map((m) => m[1]))], groups: [...new Set(found.map((m) => m[2]))]};
+  }
+
+  /** One point per formulation and kind; `missing` says why a point cannot be drawn. solid: {body, group} for the error 'solids'. */
+  accuracy(what, error, solid) {
     const points = [];
     const missing = [];
     for (const {name, stands_for, needs_xi, probe_xi} of this.formulations) {
       for (const {key: kind} of KINDS) {
         const timing = this.timing(name, kind, what);
-        const measured = error === 'modelling' ? this.modelling(name, kind) : this.numerical(timing);
+        const measured = error === 'numerical' ? this.numerical(timing) : error === 'solids' ? this.solidError(name, kind, solid) : this.modelling(name, kind);
         const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !(timing?.ns > 0) ? 'not timed' : measured.reason;
         if (reason) { missing.push({name, kind, reason}); continue; }
         const floored = !(measured.value > measured.floor);
@@ -73,15 +79,19 @@ export class Results {
     return {points, missing};
   }
 
-  modelling(name, kind) {
-    const f = this.finding(name, kind, 'modelling_error');
+  modelling(name, kind) { return this.errorOf(this.finding(name, kind, 'modelling_error'), kind); }
+
+  /** Error of the second-order couplings against the 3D body's. */
+  solidError(name, kind, {body, group}) { return this.errorOf(this.finding(name, kind, `fe_${body}_${group}`), kind); }
+
+  errorOf(f, kind) {
     if (!f) return {reason: 'no modelling error measured'};
     if (f.verdict === 'left_out') return {reason: f.reason};
     if (!isNumber(f.value)) return {reason: 'its modelling error is not a number'};
     const floor = isNumber(f.uncertainty) ? f.uncertainty : 0;
     if (!(Math.max(f.value, floor) > 0)) return {reason: 'its error and the uncertainty of the truth are both 0: no place on a log axis'};
     const where = [f.parameter, f.reason].filter(Boolean).join('; ');
-    return {value: f.value, floor, note: where, truth: `${kindLabel(kind)}: ${where}, known to ${short(floor)}`};
+    return {value: f.value, floor, note: where, truth: `${kindLabel(kind)}: ${where}${floor > 0 ? `, known to ${short(floor)}` : ''}`};
   }
 
   numerical(timing) {

@@ -28,7 +28,7 @@ function svg(tag, attributes) {
   return element;
 }
 
-/** A legend swatch: a line with its dash, or a symbol. */
+/** A legend swatch: a line with its dash, or a symbol; a look that has both is a line. */
 export function swatch({color, dash, shape}) {
   const picture = svg('svg', {width: dash ? 26 : 14, height: 14, viewBox: dash ? '-13 -7 26 14' : '-7 -7 14 14', 'aria-hidden': 'true'});
   if (dash) {

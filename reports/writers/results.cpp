@@ -113,6 +113,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"timings", results.timings},
           {"left_out", results.left_out},
           {"paper", results.paper},
+          {"solids", results.solids},
           {"durations", results.durations}};
 }
 

@@ -50,8 +50,9 @@ struct Results {
   std::vector<reference::Curve> curves;
   std::vector<bench::Timing> timings;
   std::vector<LeftOut> left_out;
-  nlohmann::json paper = nlohmann::json::object();  ///< printed tables and others' curves, see SCHEMA.md
-  std::map<std::string, double> durations;          ///< stage of the run -> wall time, s
+  nlohmann::json paper = nlohmann::json::object();   ///< printed tables and others' curves, see SCHEMA.md
+  nlohmann::json solids = nlohmann::json::object();  ///< the 3D truth, see SCHEMA.md
+  std::map<std::string, double> durations;           ///< stage of the run -> wall time, s
 };
 
 /// The catalog as the report shows it, in its order.

@@ -1,15 +1,16 @@
 // The main chart: error against time, one point per formulation and kind, with the Pareto front of each kind.
-import {Chart, isNarrow} from '../chart.js';
+import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {front, KINDS} from '../data.js';
 import {choice, h, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
+import {bodyLabel, GROUPS} from '../solids_data.js';
 
 const WHAT = [{key: 'residual', label: 'residual'}, {key: 'residual_tangent', label: 'residual + tangent'}];
 const ERROR = [{key: 'modelling', label: 'modelling'}, {key: 'numerical', label: 'numerical'}];
 const X_TITLE = {residual: 'time per residual, ns (less is faster)', residual_tangent: 'time per residual + tangent, ns (less is faster)'};
-const Y_TITLE = {modelling: 'modelling error, relative (less is truer)', numerical: 'numerical error, relative (less is truer)'};
-const AT_DECADES = {condition: {test: 'power10(datum.value) != ""', value: 1}, value: 0};
+const Y_TITLE = {modelling: 'modelling error, relative (less is truer)', numerical: 'numerical error, relative (less is truer)',
+                 solids: 'error of second-order couplings, relative (less is truer)'};
 const KINDS_ORDER = KINDS.map((k) => k.key);
 
 /** Puts the names beside the points where there is room; the label transform is Vega's, not Vega-Lite's. */
@@ -19,7 +20,7 @@ function withLabels(spec) {
   group.marks.push({
     type: 'text', interactive: false, from: {data: 'points_marks'},
     encode: {enter: {text: {field: 'datum.label'}, fontSize: {value: isNarrow() ? 11 : 12}, fill: {value: 'var(--ink)'}}},
-    transform: [{type: 'label', size: {signal: '[width, height]'}, avoidMarks: ['points_marks', 'front_pathgroup'],
+    transform: [{type: 'label', size: {signal: '[max(1, width), max(1, height)]'}, avoidMarks: ['points_marks', 'front_pathgroup'],
                  anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'], offset: [5]}]
   });
   return spec;
@@ -55,7 +56,7 @@ function spec(points, what, error) {
 
 function footnote(points, missing, error) {
   const floored = points.filter((p) => p.floored);
-  const what = error === 'modelling' ? 'the uncertainty of the truth itself' : 'half a unit of rounding';
+  const what = error === 'numerical' ? 'half a unit of rounding' : 'the uncertainty of the truth itself';
   const names = (list) => [...new Set(list.map((m) => m.name ?? m.formulation))].join(', ');
   return [
     'Dashed: Pareto front of each kind; no point of that kind is both faster and truer than one on it. ',
@@ -67,23 +68,32 @@ function footnote(points, missing, error) {
 
 /** The figure; `kind` is the kind shown first. */
 export function accuracyFigure(results, kind) {
-  const state = {what: 'residual', error: 'modelling', kinds: new Set([kind])};
+  const views = results.solidViews();
+  const state = {what: 'residual', error: 'modelling', kinds: new Set([kind]), solid: {body: views.bodies[0], group: views.groups[0]}};
   if (results.accuracy('residual', 'modelling').points.length === 0) state.error = 'numerical';
   const chart = new Chart('accuracy', 'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table beside it holds the same numbers.');
   const note = h('figcaption', {'aria-live': 'polite'});
 
   const draw = () => {
-    const {points, missing} = results.accuracy(state.what, state.error);
-    const shown = points.filter((p) => state.kinds.has(p.kind));
-    note.replaceChildren(...footnote(shown, missing.filter((m) => state.kinds.has(m.kind)), state.error).filter(Boolean));
+    const {points, missing} = results.accuracy(state.what, state.error, state.solid);
+    const solid = state.error === 'solids';
+    const kinds = solid ? new Set(['linear_angular']) : state.kinds;  // the only kind that a body with forces and moments has
+    const shown = points.filter((p) => kinds.has(p.kind));
+    legend.hidden = solid;
+    solidChoice.hidden = !solid;
+    note.replaceChildren(...footnote(shown, missing.filter((m) => kinds.has(m.kind)), state.error).filter(Boolean));
     if (shown.length) chart.draw(spec(shown, state.what, state.error), withLabels);
     else chart.empty('no formulation has both a time and an error for this choice.');
   };
   const legend = toggles('Kinds of joint shown', KINDS.map((k) => ({...k, on: state.kinds.has(k.key), swatch: swatch({color: 'var(--muted)', shape: KIND_SHAPES[k.key]})})),
     (keys) => { state.kinds = new Set(keys); draw(); });
+  const solidChoice = h('div', {class: 'controls', hidden: true},
+    choice('Body', views.bodies.map((key) => ({key, label: bodyLabel(key)})), state.solid.body, (body) => { state.solid = {...state.solid, body}; draw(); }),
+    choice('Under', GROUPS.filter((g) => views.groups.includes(g.key)), state.solid.group, (group) => { state.solid = {...state.solid, group}; draw(); }));
+  const errors = views.bodies.length ? [...ERROR, {key: 'solids', label: '3D bodies'}] : ERROR;
   const controls = h('div', {class: 'controls'}, legend,
     choice('Time of', WHAT, state.what, (key) => { state.what = key; draw(); }),
-    choice('Error', ERROR, state.error, (key) => { state.error = key; draw(); }));
+    choice('Error', errors, state.error, (key) => { state.error = key; draw(); }), solidChoice);
   draw();
   return h('figure', {class: 'main-chart'}, h('h2', {id: 'accuracy'}, 'Accuracy against speed'), controls, chart.box, note);
 }

@@ -3,6 +3,7 @@ import {Chart, isNarrow} from '../chart.js';
 import {h, swatch, toggles} from '../dom.js';
 import {superscript} from '../format.js';
 import {seriesLook} from '../palette.js';
+import {SOLID_SOURCE, solidLayer, solidSeries} from './solid_marks.js';
 
 /** Paper's own systems first: these are shown at the start. */
 const SHOWN_FIRST = ['attached_a', 'attached_b', 'invariant', 'intrinsic', 'jointc', 'linearized'];
@@ -31,9 +32,9 @@ function powerOf(numbers) {
 
 const times = (power) => (power ? `10${superscript(power)} ` : '');
 
-function spec(panel, lines, marks, series, load) {
-  const power = powerOf(lines.map((r) => r.value));
-  const loadPower = powerOf(lines.map((r) => r.load));
+function spec(panel, {lines, marks, solids}, {series, solid}, load) {
+  const power = powerOf([...lines, ...solids].map((r) => r.value));
+  const loadPower = powerOf([...lines, ...solids].map((r) => r.load));
   const scaled = (rows) => rows.map((r) => ({...r, x: r.load / 10 ** loadPower, y: r.value / 10 ** power}));
   const looks = series.map((s) => s.look);
   const domain = series.map((s) => s.key);
@@ -52,6 +53,9 @@ function spec(panel, lines, marks, series, load) {
     layers.push({data: {values: scaled(marks)}, mark: {type: 'point', shape: 'diamond', size: 42, strokeWidth: 1.4, filled: false, opacity: 1},
                  encoding: {x, y, color: {...color}, tooltip: [{field: 'source', title: 'source'}, ...tooltip]}});
   }
+  if (solids.length) {
+    layers.push(solidLayer(scaled(solids), solid, {x, y, tooltip: [{...tooltip[0], title: 'body, law'}, ...tooltip.slice(1)]}));
+  }
   return {height: isNarrow() ? 260 : panel.height ?? 320, layer: layers};
 }
 
@@ -66,7 +70,9 @@ function endings(curves, name) {
 export function curvesFigure(results, {id, scene, title, load, panels, caption}) {
   const name = (c) => results.series(c);
   const curves = results.curvesOf(scene).filter((c) => c.rows.length > 1);
-  const references = results.referencesOf(scene).map(thinned);
+  const all = results.referencesOf(scene).map(thinned);
+  const references = all.filter((c) => c.source !== SOLID_SOURCE);
+  const solid = solidSeries(all);
   const keys = [...new Set(curves.map(name))];
   const series = keys.map((key) => {
     const formulation = curves.find((c) => name(c) === key).formulation;
@@ -82,14 +88,17 @@ export function curvesFigure(results, {id, scene, title, load, panels, caption})
     const shown = new Set(series.filter((s) => s.on).map((s) => s.formulation));
     const lines = rowsOf(curves.filter((c) => on.has(name(c))), panel.output, name);
     const marks = rowsOf(references.filter((c) => shown.has(c.formulation)), panel.output, name);
+    const solids = rowsOf(solid.filter((s) => s.on).map((s) => s.curve), panel.output, (c) => c.formulation);
     if (curves.length === 0) charts[i].empty(`no curve of scene ${scene} in the results.`);
-    else if (lines.length === 0) charts[i].box.replaceChildren(h('p', {class: 'empty'}, 'No formulation is selected.'));
-    else charts[i].draw(spec(panel, lines, marks, series, load));
+    else if (lines.length + solids.length === 0) charts[i].say('No formulation is selected.');
+    else charts[i].draw(spec(panel, {lines, marks, solids}, {series, solid}, load));
   });
-  for (const s of series) s.swatch = swatch({color: s.look.color, dash: s.look.dash});
+  for (const s of [...series, ...solid]) s.swatch = swatch(s.look);
   const sources = [...new Set(references.map((c) => c.source))];
-  const legend = toggles(`Formulations shown in ${title}`, series, draw);
+  const legend = [toggles(`Formulations shown in ${title}`, series, draw),
+    solid.length ? h('div', {class: 'controls'}, h('span', {class: 'label'}, SOLID_SOURCE), toggles(`3D finite elements shown in ${title}`, solid, draw)) : null];
   draw();
   return h('figure', {id}, h('h3', {}, title), legend, h('div', {class: panels.length > 1 ? 'panels' : ''}, charts.map((c) => c.box)),
-    h('figcaption', {}, caption, sources.length ? ` Diamonds: ${sources.join('; ')}.` : ''), endings(curves, name));
+    h('figcaption', {}, caption, sources.length ? ` Diamonds: ${sources.join('; ')}.` : '',
+      solid.length ? [' Open dark marks: our own 3D finite elements, full Newton; see ', h('a', {href: '#solids'}, 'Three-dimensional truth'), '.'] : ''), endings(curves, name));
 }

@@ -5,13 +5,12 @@ import {full, short} from '../format.js';
 
 const ORDER = ['force_balance', 'moment_balance', 'node_order', 'objectivity', 'tangent', 'symmetry', 'energy_gradient', 'loop_work', 'loop_slope',
   'fingerprint_alpha', 'fingerprint_beta', 'rounding', 'rounding_tangent'];
-const NOT_PROPERTIES = ['modelling_error'];
+const isProperty = (name) => name !== 'modelling_error' && !name.startsWith('fe_');  // errors have tables of their own
 
 const property = (finding) => finding.name.slice(`${finding.formulation}/${finding.kind}/`.length);
 
 function columnsOf(results, kind) {
-  const names = new Set(results.findings.filter((f) => f.formulation && f.kind === kind && f.name.startsWith(`${f.formulation}/${kind}/`)).map(property));
-  NOT_PROPERTIES.forEach((n) => names.delete(n));
+  const names = new Set(results.findings.filter((f) => f.formulation && f.kind === kind && f.name.startsWith(`${f.formulation}/${kind}/`)).map(property).filter(isProperty));
   return [...ORDER.filter((n) => names.has(n)), ...[...names].filter((n) => !ORDER.includes(n)).sort()];
 }
 

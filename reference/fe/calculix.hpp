@@ -1,0 +1,51 @@
+// CalculiX (ccx), the independent program: driven through its input files, read through its tables.
+//
+// Nothing of it is linked or copied: it is started as a process of one thread in a temporary folder of
+// its own, which is removed again.
+#pragma once
+
+#include "reference/fe/statics.hpp"
+
+#include <string>
+
+namespace halfway::reference::fe {
+
+/// Whether ccx is on PATH: without it the two functions below throw.
+bool calculix_available();
+/// As ccx states it ("2.20"). Throws std::runtime_error without ccx.
+std::string calculix_version();
+
+/// Significant digits ccx prints: no figure below is finer than half a unit of the last, 5e-7 relative.
+inline constexpr int kCalculixDigits = 7;
+
+/// What the processes used, s.
+struct CalculixCost {
+  double cpu = 0;   ///< user and system
+  double wall = 0;  ///< the load of the machine included
+  int runs = 0;
+};
+
+struct CalculixLinear {
+  Mat6 compliance;    ///< (d, theta) per (f, m) at the reference point; not made symmetric
+  CalculixCost cost;  ///< of one run that factorizes six times, once for each unit load
+};
+
+struct CalculixPose {
+  Vec3<double> d;      ///< of the reference point, m
+  Vec3<double> theta;  ///< rotation vector of the face, rad
+  CalculixCost cost;   ///< of all runs: one without a moment, about four with one
+};
+
+/// hex20 becomes C3D20R, hex20_full C3D20. The reference point (m) need not lie on the face. Both throw
+/// std::invalid_argument for another element or an empty face and std::runtime_error, with ccx's last lines,
+/// where ccx is missing, fails, or prints anything but finite numbers.
+CalculixLinear calculix_linear(const Mesh& mesh, const Material& material,
+                               const Vec3<double>& reference_point);
+
+/// Large strains under Law::st_venant, which is what *ELASTIC with NLGEOM means in ccx; the load as in
+/// Statics::solve. ccx's moment works on the rotation vector, not on the spin: Gamma(theta)^T m is
+/// applied and found by iteration.
+CalculixPose calculix_nonlinear(const Mesh& mesh, const Material& material,
+                                const Vec3<double>& reference_point, const Load& load);
+
+}  // namespace halfway::reference::fe

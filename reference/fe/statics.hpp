@@ -1,0 +1,56 @@
+// Equilibrium of a solid under a load on its rigid face, and its linear characterisation.
+#pragma once
+
+#include "reference/fe/solid.hpp"
+
+#include <Eigen/CholmodSupport>
+
+#include <string>
+
+namespace halfway::reference::fe {
+
+/// Force at the reference point (N) and moment (N m), of fixed global direction; a follower moment turns
+/// with the face instead.
+struct Load {
+  Vec3<double> f = Vec3<double>::Zero();
+  Vec3<double> m = Vec3<double>::Zero();
+  bool follower = false;
+};
+
+struct Equilibrium {
+  State state;
+  bool converged = false;
+  int iterations = 0;
+  double update = 0;           ///< last relative change
+  double residual = 0;         ///< out-of-balance force over the largest nodal force
+  std::string reason;          ///< why not converged
+  Vec3<double> theta() const;  ///< log(R), rad
+};
+
+/// The interior by CHOLMOD (supernodal, METIS: five times faster than Eigen's own at 17k unknowns), the
+/// face by a dense 6x6. One symbolic analysis per mesh.
+class Statics {
+ public:
+  explicit Statics(const Solid& solid);
+
+  const Solid& solid() const { return solid_; }
+  /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8.
+  Equilibrium solve(Law law, const Load& load, const State& start);
+
+  /// The six first-order fields: the face's compliance and every node's displacement for a unit load each.
+  struct Linear {
+    Mat6 compliance;                    ///< (d, theta) per (f, m) at the reference point
+    std::array<Eigen::Matrix3Xd, 6> u;  ///< m per N or per N m
+  };
+  Linear linear();
+
+ private:
+  /// Solves for the interior and the face: the six columns K^-1 K_face, the face's Schur complement.
+  void factorize(const Eigen::SparseMatrix<double>& K);
+
+  const Solid& solid_;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
+  bool analyzed_ = false;
+};
+
+}  // namespace halfway::reference::fe
