@@ -2,10 +2,8 @@
 
 #include "formulations/so3.hpp"
 
+#include <dlfcn.h>
 #include <Eigen/LU>
-
-// OpenBLAS's own, absent from other BLAS libraries.
-extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
 
 namespace halfway::reference::fe {
 namespace {
@@ -14,13 +12,21 @@ constexpr int kMostIterations = 60;
 constexpr double kFine = 1e-13;   ///< relative update that needs no further iteration
 constexpr double kCoarse = 1e-8;  ///< coarser than this is no result
 
+/// Threads of OpenBLAS and of CHOLMOD's OpenMP loops wait for each other by spinning: on a shared machine
+/// they cost thirty times what they gain on these small blocks. Looked up at run time, since another BLAS may
+/// be behind CHOLMOD, or a build without OpenMP.
+void use_one_thread() {
+  using Set = void (*)(int);
+  if (auto* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Set>(symbol)(1);
+  if (auto* symbol = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels")) reinterpret_cast<Set>(symbol)(0);
+}
+
 }  // namespace
 
 Vec3<double> Equilibrium::theta() const { return so3::log<double>(state.R); }
 
 Statics::Statics(const Solid& solid) : solid_(solid) {
-  // Its threads spin: on a shared machine they cost thirty times what they gain on these small blocks.
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
+  use_one_thread();
   cholesky_.cholmod().nmethods = 1;
   cholesky_.cholmod().method[0].ordering = CHOLMOD_METIS;
   cholesky_.cholmod().postorder = 1;
@@ -37,6 +43,8 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
   Equilibrium out;
   out.state = start;
   double last = 1;
+  bool stale = true;  // the factors are those of another state, too far from this one
+  Eigen::Matrix<double, Eigen::Dynamic, 6> K_face, Y;
   for (out.iterations = 1; out.iterations <= kMostIterations; ++out.iterations) {
     const Assembly a = solid_.assemble(law, out.state);
     const Vec3<double> m = load.follower ? Vec3<double>(out.state.R * load.m) : load.m;
@@ -48,17 +56,19 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
     const Eigen::VectorXd interior = solid_.interior(a.force);
     out.residual = interior.lpNorm<Eigen::Infinity>() / a.force.cwiseAbs().maxCoeff();
 
-    factorize(a.K);
-    if (cholesky_.info() != Eigen::Success) {
-      out.reason = "the interior's tangent is not positive definite: the load passes a limit of the solid";
-      return out;
+    if (stale) {
+      factorize(a.K);
+      if (cholesky_.info() != Eigen::Success) {
+        out.reason = "the interior's tangent is not positive definite: the load passes a limit of the solid";
+        return out;
+      }
+      K_face = a.K_face;
+      Y = cholesky_.solve(Eigen::MatrixXd(K_face));
     }
-    Eigen::MatrixXd right(interior.size(), 7);
-    right << a.K_face, interior;
-    const Eigen::MatrixXd solved = cholesky_.solve(right);
-    const Mat6 schur = face_tangent - a.K_face.transpose() * solved.leftCols<6>();
-    const Vec6 dq = -schur.partialPivLu().solve(Vec6(face - a.K_face.transpose() * solved.col(6)));
-    const Eigen::VectorXd du = -solved.col(6) - solved.leftCols<6>() * dq;
+    const Eigen::VectorXd y = cholesky_.solve(interior);
+    const Mat6 schur = face_tangent - K_face.transpose() * Y;
+    const Vec6 dq = -schur.partialPivLu().solve(Vec6(face - K_face.transpose() * y));
+    const Eigen::VectorXd du = -y - Y * dq;
     if (!dq.allFinite() || !du.allFinite()) {
       out.reason = "the iteration left the finite numbers";
       return out;
@@ -70,6 +80,8 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
       out.converged = true;
       return out;
     }
+    // A factorization costs twenty times an iteration without one: kept while each gains a digit.
+    stale = out.iterations > 1 && out.update > last / 10;
     last = out.update;
   }
   out.reason = "no convergence within " + std::to_string(kMostIterations) + " iterations";

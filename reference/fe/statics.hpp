@@ -34,7 +34,8 @@ class Statics {
   explicit Statics(const Solid& solid);
 
   const Solid& solid() const { return solid_; }
-  /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8.
+  /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8. The tangent
+  /// is factored again only where the last one gains less than a digit per iteration.
   Equilibrium solve(Law law, const Load& load, const State& start);
 
   /// The six first-order fields: the face's compliance and every node's displacement for a unit load each.
@@ -45,7 +46,6 @@ class Statics {
   Linear linear();
 
  private:
-  /// Solves for the interior and the face: the six columns K^-1 K_face, the face's Schur complement.
   void factorize(const Eigen::SparseMatrix<double>& K);
 
   const Solid& solid_;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 
 namespace halfway::reports {
@@ -43,6 +44,7 @@ void reference_command(const ReferenceOptions& options) {
     std::filesystem::create_directories(file.parent_path());
     write_file(file, json.dump() + "\n");
     fmt::print("{}: written to {}\n", study->name, file.string());
+    std::fflush(stdout);
   }
 }
 

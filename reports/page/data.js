@@ -71,7 +71,7 @@ export class Results {
         const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !(timing?.ns > 0) ? 'not timed' : measured.reason;
         if (reason) { missing.push({name, kind, reason}); continue; }
         const floored = !(measured.value > measured.floor);
-        points.push({formulation: name, label: needs_xi ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
+        points.push({formulation: name, label: needs_xi && error !== 'solids' ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
                      error: Math.max(measured.value, measured.floor), value: measured.value, floor: measured.floor, floored,
                      note: measured.note, truth: measured.truth});
       }
@@ -82,7 +82,10 @@ export class Results {
   modelling(name, kind) { return this.errorOf(this.finding(name, kind, 'modelling_error'), kind); }
 
   /** Error of the second-order couplings against the 3D body's. */
-  solidError(name, kind, {body, group}) { return this.errorOf(this.finding(name, kind, `fe_${body}_${group}`), kind); }
+  solidError(name, kind, {body, group}) {
+    const f = this.finding(name, kind, `fe_${body}_${group}`);
+    return {...this.errorOf(f, kind), truth: f?.reason};
+  }
 
   errorOf(f, kind) {
     if (!f) return {reason: 'no modelling error measured'};

@@ -34,6 +34,12 @@ export function solidsOf(results) {
           newton: s.newton ?? [], shapes: s.shapes ?? [], missing: s.missing ?? []};
 }
 
+const HOLES = {none: 'no hole', cone: 'conical hole', cylinder: 'cylindrical hole'};
+const CUTS = {plane: 'plane cut', cone: 'conical cut'};
+/** What a family of bearings is, by its record. */
+export const familyLabel = (family) => (family ? `${CUTS[family.cut] ?? family.cut}, ${HOLES[family.hole] ?? family.hole}` : 'unnamed family');
+export const familyNamed = (bearing, name) => bearing.families.find((f) => f.name === name);
+
 /** xi under the paper's pair of moments, 1 and 3: {value, uncertainty}. */
 export const paperXi = (body, law) => body.xis?.find((x) => x.law === law)?.moments?.find((m) => m.name === '13');
 

@@ -84,6 +84,7 @@ json bearing() {
   if (!kept) return json::object();
   const json printed = reference::read_data("paper/tables.json").at("table_4");
   json out = {{"printed_xi", std::stod(printed.at("fitted_xi").get<std::string>())},
+              {"limit", fe::kAdmissible},
               {"families", kept->at("families")},
               {"scans", kept->at("scans")}};
   for (std::size_t i = 0; i < fe::kTable4.size(); ++i)

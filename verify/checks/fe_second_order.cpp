@@ -90,12 +90,12 @@ std::vector<Finding> cubic_potential() {
 }
 
 /// theta_2 / M^2 of the paper's moment from Newton at two loads, extrapolated: its next order is M^2.
-double newton_coefficient(const fe::Solid& solid, fe::Law law, double M) {
+double newton_coefficient(const fe::Solid& solid, fe::Law law, double M, bool follower = false) {
   fe::Statics statics(solid);
   const double a = std::atan(0.01);
   const auto quotient = [&](double m) {
     const fe::Equilibrium e = statics.solve(
-        law, {Vec3<double>::Zero(), {m * std::cos(a), 0, m * std::sin(a)}, false}, solid.unloaded());
+        law, {Vec3<double>::Zero(), {m * std::cos(a), 0, m * std::sin(a)}, follower}, solid.unloaded());
     return e.converged ? e.theta()[1] / (m * m) : std::nan("");
   };
   return (4 * quotient(M / 2) - quotient(M)) / 3;
@@ -115,6 +115,12 @@ std::vector<Finding> newton() {
                                 "two loads leave the fourth order of theta, 1e-5; the solver's rounding "
                                 "of theta_2 beside theta_1 is 1e-6"),
                   newton_coefficient(solid, law, M) / perturbation, 1, 1e-4, Oracle::independent));
+      // A moment that turns with the face is m + theta x m to second order: xi becomes xi - 1.
+      const double xi = xi_of_moments(coarse(name).result, law, 0, 2);
+      out.push_back(near_to(solid_finding(fmt::format("newton/follower/{}/{}", name, to_string(law)),
+                                          "relative to perturbation", "as for the fixed moment"),
+                            newton_coefficient(solid, law, M, true) / perturbation, (xi - 1) / xi, 1e-4,
+                            Oracle::independent));
     }
   }
   return out;

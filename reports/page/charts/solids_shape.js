@@ -2,14 +2,14 @@
 import {account} from '../chart.js';
 import {h} from '../dom.js';
 import {short} from '../format.js';
-import {ball, farthestFirst, outline, shade, size, turn} from './view3d.js';
+import {ball, farthestFirst, outline, outward, shade, size, turn} from './view3d.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const kStart = {yaw: 0.6, pitch: 0.45, zoom: 1};
+const kStart = {yaw: 0.6, pitch: 0.4, zoom: 1};
 const kStep = 0.1;           // rad for one press of an arrow key
 const kPerPixel = 0.009;     // rad for one pixel of a drag
 const kSteepest = 1.45;      // rad: short of looking straight along axis 1
-const kHalf = [1.12, 0.84];  // of the picture, in radii of the body
+const kHalf = [1.15, 0.88];  // of the picture, in radii of the body
 
 function make(tag, attributes, parent) {
   const element = document.createElementNS(SVG, tag);
@@ -40,9 +40,11 @@ function paint(parts, shape, body, view, share) {
   const place = (p) => turn(p.map((x, k) => (x - body.centre[k]) / body.radius), view);
   const flat = shape.X.map(place);
   const seen = shape.X.map((X, n) => place(X.map((x, k) => x + share * shape.scale * shape.u[n][k])));
-  farthestFirst(shape.faces, seen).forEach((f, i) => {
-    const corners = shape.faces[f].map((n) => seen[n]);
-    const moved = shape.faces[f].reduce((sum, n) => sum + body.moved[n], 0) / 4;
+  const painted = farthestFirst(body.faces, seen);
+  parts.faces.slice(painted.length).forEach((polygon) => polygon.setAttribute('points', ''));
+  painted.forEach((f, i) => {
+    const corners = body.faces[f].map((n) => seen[n]);
+    const moved = body.faces[f].reduce((sum, n) => sum + body.moved[n], 0) / 4;
     parts.faces[i].setAttribute('points', corners.map((p) => point(p, view.zoom)).join(' '));
     parts.faces[i].style.fill = `color-mix(in oklab, color-mix(in oklab, var(--solid-far) ${(100 * moved).toFixed(0)}%, var(--solid-near)), var(--solid-shade) ${(40 * shade(corners)).toFixed(0)}%)`;
   });
@@ -96,7 +98,7 @@ export function shapeFigure(shape) {
     account(id, 'empty');
     return h('figure', {}, h('h3', {}, shape.title), h('p', {class: 'empty'}, 'Not drawn: the results hold no surface or no displacement.'));
   }
-  const body = {...ball(shape.X), moved: shape.u.map((u) => size(u) / largest)};
+  const body = {...ball(shape.X), faces: outward(shape.faces, shape.X), moved: shape.u.map((u) => size(u) / largest)};
   const parts = scene(shape);
   const view = {...kStart};
   const share = h('input', {type: 'range', min: 0, max: 1.5, step: 0.05, value: 1, 'aria-label': `Displacements of ${shape.title}`});

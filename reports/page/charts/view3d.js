@@ -9,12 +9,12 @@ export function turn([x1, x2, x3], {yaw, pitch}) {
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const size = (a) => Math.sqrt(dot(a, a));
 
 /** Unit normal of a quadrilateral from its diagonals. */
 export function normal([a, b, c, d]) {
-  const p = minus(c, a), q = minus(d, b);
-  const n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+  const n = cross(minus(c, a), minus(d, b));
   const length = size(n) || 1;
   return n.map((x) => x / length);
 }
@@ -38,17 +38,19 @@ export function outline(faces, X, degrees = 30) {
   return [...edges].filter(([, [f, g]]) => g === undefined || Math.abs(dot(normals[f], normals[g])) < limit).map(([key]) => key.split(' ').map(Number));
 }
 
-/** Indices of the faces, farthest first (painter's algorithm), for points already turned. */
+/** The same faces, each counter-clockwise seen from outside; the surface is closed. */
+export function outward(faces, X) {
+  const volume = faces.reduce((sum, f) => sum + dot(X[f[0]], cross(minus(X[f[2]], X[f[0]]), minus(X[f[3]], X[f[1]]))), 0);
+  return volume < 0 ? faces.map((f) => [...f].reverse()) : faces;
+}
+
+/** Indices of the faces that look at the viewer, farthest first (painter's algorithm), for points already turned. */
 export function farthestFirst(faces, seen) {
   const near = faces.map((f) => f.reduce((sum, n) => sum + seen[n][2], 0));
-  return faces.map((_, i) => i).sort((a, b) => near[a] - near[b]);
+  return faces.map((_, i) => i).filter((i) => normal(faces[i].map((n) => seen[n]))[2] > 0).sort((a, b) => near[a] - near[b]);
 }
 
 const kLight = [-0.3, 0.5, 0.81];
 
-/** How much of the light a face misses, 0 to 1; the side that is seen counts. */
-export function shade(corners) {
-  const n = normal(corners);
-  const lit = (n[2] < 0 ? -1 : 1) * dot(n, kLight);
-  return 1 - Math.max(0, lit);
-}
+/** How much of the light a face misses, 0 to 1. */
+export const shade = (corners) => 1 - Math.max(0, dot(normal(corners), kLight));

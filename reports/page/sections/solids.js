@@ -1,4 +1,5 @@
 // The 3D truth: our own nonlinear finite elements beside the print, with error bars, cost and pictures.
+import {account} from '../chart.js';
 import {costFigure} from '../charts/solids_cost.js';
 import {newtonFigure} from '../charts/solids_newton.js';
 import {shapeFigure} from '../charts/solids_shape.js';
@@ -10,17 +11,19 @@ import {formulationErrors} from './solids_formulations.js';
 import {printedTables} from './solids_tables.js';
 import {xiTable} from './solids_xi.js';
 
-/** The worst error bars, in words. */
+/** Each body's widest error bars, in words. */
 function certainty(solids) {
-  const worst = (list) => Math.max(...list.filter(isNumber));
-  const compliance = worst(solids.bodies.flatMap((b) => (b.compliances ?? []).map((c) => c.uncertainty / Math.abs(c.value))));
-  const xi = worst(solids.bodies.flatMap((b) => (b.xis ?? []).map((x) => paperXi(b, x.law)?.uncertainty)));
-  if (!(compliance > 0)) return '';
-  return `Compliances are known to ${short(compliance)} relative${xi > 0 ? `, ξ to ${short(xi)}` : ''}, for ${solids.bodies.map((b) => bodyLabel(b.name)).join('; ')}.`;
+  const widest = (list) => short(Math.max(...list.filter(isNumber)));
+  const known = solids.bodies.filter((b) => b.compliances?.length && b.xis?.length).map((b) => `${bodyLabel(b.name)} ${widest(b.compliances.map((c) => c.uncertainty / Math.abs(c.value)))} and ` +
+    widest(b.xis.map((x) => paperXi(b, x.law)?.uncertainty)));
+  return known.length ? `Widest error bars of compliance (relative) and ξ: ${known.join('; ')}.` : '';
 }
 
 function shapes(solids) {
-  if (!solids.shapes.length) return h('p', {class: 'empty'}, 'No deformed shapes: the results hold none (solids.shapes).');
+  if (!solids.shapes.length) {
+    account('solids-shapes', 'empty');
+    return h('p', {class: 'empty'}, 'No deformed shapes: the results hold none (solids.shapes).');
+  }
   return h('div', {class: 'shapes', id: 'solids-shapes'}, solids.shapes.map(shapeFigure));
 }
 

@@ -2,6 +2,7 @@
 import {h, scrolling} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
 import {bodyLabel, GROUPS} from '../solids_data.js';
+import {rangeTable} from './solids_ranges.js';
 
 const kKind = 'linear_angular';
 
@@ -24,10 +25,11 @@ export function formulationErrors(results) {
       bodies.map((b) => h('th', {scope: 'colgroup', colspan: shown.length, class: 'number'}, bodyLabel(b)))),
     h('tr', {}, bodies.flatMap(() => shown.map((g) => h('th', {scope: 'col', class: 'number'}, g.label)))));
   const time = (name) => { const t = results.timing(name, kKind, 'residual'); return t && !t.wrong ? nanoseconds(t.ns) : '–'; };
-  const body = h('tbody', {}, results.formulations.map((f) => h('tr', {}, h('th', {scope: 'row'}, h('code', {}, f.name), f.needs_xi ? ` ξ = ${f.probe_xi}` : ''),
+  const body = h('tbody', {}, results.formulations.map((f) => h('tr', {}, h('th', {scope: 'row'}, h('code', {}, f.name)),
     h('td', {class: 'number'}, time(f.name)), bodies.flatMap((b) => shown.map((g) => cell(results, f.name, b, g.key))))));
-  part.append(scrolling(h('table', {class: 'compact narrow'}, head, body), 'Formulations against the 3D bodies'),
-    h('p', {class: 'note'}, 'Relative error of the second-order couplings, the motion by the product of two loads, of a linear/angular joint that has the body’s own compliance. 1 is what a linear joint has. ',
-      'As a picture: ', h('a', {href: '#accuracy'}, 'Accuracy against speed'), ', error “3D bodies”. –: left out; the reason is under ', h('a', {href: '#left-out'}, 'Failed or left out'), '.'));
+  const note = h('p', {class: 'note'}, 'Relative error of the second-order couplings, the motion by the product of two loads, of a linear/angular joint that has the body’s own compliance. 1: as far off as a joint without any; a free ξ is the best one. ',
+    'As a picture: ', h('a', {href: '#accuracy'}, 'Accuracy against speed'), ', error “3D bodies”. –: left out; the reason is under ', h('a', {href: '#left-out'}, 'Failed or left out'), '.');
+  const errors = scrolling(h('table', {class: 'compact narrow'}, h('caption', {}, 'Error of the second-order couplings'), head, body), 'Formulations against the 3D bodies');
+  part.append(h('div', {class: 'beside'}, errors, rangeTable(results) ?? ''), note);
   return part;
 }

@@ -13,7 +13,7 @@ function printed(results, law) {
 
 function xiCell(results, body, law) {
   const xi = paperXi(body, law);
-  if (!xi) return h('td', {class: 'number none'}, '–');
+  if (!isNumber(xi?.value)) return h('td', {class: 'number none'}, '–');
   const print = body.name === 'frustum_top' ? printed(results, law) : null;
   const text = withBar(xi.value, xi.uncertainty);
   return print?.met ? h('td', {class: 'number mark pass'}, `✓ ${text}`, h('span', {class: 'aside'}, `the printed ${print.value}`)) : h('td', {class: 'number'}, text);
@@ -22,7 +22,7 @@ function xiCell(results, body, law) {
 function rows(results, body) {
   return (body.xis ?? []).map((x, i, all) => h('tr', {},
     i === 0 ? h('th', {scope: 'rowgroup', rowspan: all.length}, bodyLabel(body.name), h('span', {class: 'aside'}, body.title)) : null,
-    h('th', {scope: 'row'}, lawLook(x.law).label), xiCell(results, body, x.law),
+    h('th', {scope: 'row', class: 'whole'}, lawLook(x.law).label), xiCell(results, body, x.law),
     GROUPS.flatMap(({key}) => {
       const best = x.best?.find((b) => b.group === key);
       return [h('td', {class: 'number'}, best ? short(best.xi, 4) : '–'), h('td', {class: 'number'}, best ? percent(best.remainder) : '–')];
@@ -59,6 +59,6 @@ export function xiTable(results, solids) {
     h('tr', {}, GROUPS.flatMap(() => [h('th', {scope: 'col', class: 'number'}, 'ξ'), h('th', {scope: 'col', class: 'number'}, 'remains')])));
   part.append(scrolling(h('table', {class: 'compact'}, head, solids.bodies.map((b) => h('tbody', {}, rows(results, b)))), 'ξ of each body and law'),
     h('p', {class: 'note'}, 'ξ is a second-order quantity: it depends on the law beyond small strains and on which face is clamped. Best: least squares over the group; ',
-      'remains: the share of the second-order couplings that no ξ represents. ', halves(solids).join(' ')), pairs(solids));
+      'remains: the share of the second-order couplings that no ξ represents. Over all three pairs of moments the best ξ is 1/2 for every law with a potential, whatever the body: what is left is one cubic term c θ₁θ₂θ₃ of the potential, and no ξ can take part of it. ', halves(solids).join(' ')), pairs(solids));
   return part;
 }
