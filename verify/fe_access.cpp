@@ -32,7 +32,11 @@ Finding near_to(Finding f, double value, double expected, double limit, Oracle o
 }
 
 const fe::Characterisation& characterisation(const std::string& body) {
-  static const std::vector<fe::Characterisation> all = fe::kept_characterisations();
+  static const std::vector<fe::Characterisation> all = [] {
+    auto list = fe::kept_characterisations();
+    for (auto& bearing : fe::kept_bearings()) list.push_back(std::move(bearing));
+    return list;
+  }();
   for (const auto& c : all) {
     if (c.body == body) return c;
   }

@@ -9,7 +9,7 @@ namespace halfway::reference::fe {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kFine = 1e-13;   ///< relative update that needs no further iteration
+constexpr double kFine = 1e-12;   ///< relative update that needs no further iteration: the next is a tenth
 constexpr double kCoarse = 1e-8;  ///< coarser than this is no result
 
 /// Threads of OpenBLAS and of CHOLMOD's OpenMP loops wait for each other by spinning: on a shared machine
@@ -43,7 +43,7 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
   Equilibrium out;
   out.state = start;
   double last = 1;
-  bool stale = true;  // the factors are those of another state, too far from this one
+  bool stale = true;  // the factors are those of a state too far from this one
   Eigen::Matrix<double, Eigen::Dynamic, 6> K_face, Y;
   for (out.iterations = 1; out.iterations <= kMostIterations; ++out.iterations) {
     const Assembly a = solid_.assemble(law, out.state);
@@ -73,16 +73,23 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
       out.reason = "the iteration left the finite numbers";
       return out;
     }
+    State before = out.state;
     solid_.move(out.state, du, dq);
     out.update = du.lpNorm<Eigen::Infinity>() / out.state.u.cwiseAbs().maxCoeff();
-    const bool stagnates = out.update < kCoarse && out.update > last / 4;
+    // Only a fresh tangent tells rounding from slow convergence.
+    const bool stagnates = stale && out.update < kCoarse && out.update > last / 4;
     if (out.update < kFine || stagnates) {
       out.converged = true;
       return out;
     }
-    // A factorization costs twenty times an iteration without one: kept while each gains a digit.
-    stale = out.iterations > 1 && out.update > last / 10;
-    last = out.update;
+    // A factorization costs twenty times an iteration without one. An old one is used while each of its steps
+    // gains a digit; a step that does not is taken back, and the state that it left is factored.
+    const bool taken_back = !stale && out.update > last / 10;
+    if (taken_back)
+      out.state = std::move(before);
+    else
+      last = out.update;
+    stale = taken_back;
   }
   out.reason = "no convergence within " + std::to_string(kMostIterations) + " iterations";
   return out;

@@ -39,5 +39,7 @@ nlohmann::json regenerate(const Study& study, const Report& report);
 /// The kept results in their types, in the order of studies(); what is missing or stale is left out.
 std::vector<Characterisation> kept_characterisations();
 std::vector<SolidCurve> kept_curves();
+/// Of the bearing's fitted families.
+std::vector<Characterisation> kept_bearings();
 
 }  // namespace halfway::reference::fe

@@ -3,6 +3,8 @@
 #include "reference/fe/bearing_fit.hpp"
 #include "reference/fe/study_makers.hpp"
 
+#include <stdexcept>
+
 namespace halfway::reference::fe {
 namespace {
 
@@ -100,17 +102,18 @@ nlohmann::json scan(const Family& family) {
   return out;
 }
 
-/// Fig. 9 for the family that agrees best with the printed text: plane cut, conical hole.
+constexpr std::size_t kBest = 1;  ///< of kFamilies: agrees best with the printed text
+
+Body body_of(const nlohmann::json& family) {
+  return body_of(family.at("name"), {family.at("inner"), family.at("outer"), cut_named(family.at("cut")),
+                                     family.at("extent"), hole_named(family.at("hole")), family.at("width")});
+}
+
+/// Fig. 9.
 SolidCurve figure(const nlohmann::json& family, Law law) {
-  const Bearing bearing{family.at("inner"),
-                        family.at("outer"),
-                        cut_named(family.at("cut")),
-                        family.at("extent"),
-                        hole_named(family.at("hole")),
-                        family.at("width")};
   const auto point = family.at("characterisation").at("joint_point").at(1).get<double>();
-  SolidCurve curve = follow(body_of(family.at("name"), bearing), {0, point, 0}, law, ElementKind::hex20,
-                            kCurveLevel, scene_load(kScene), 1e6, 20);
+  SolidCurve curve = follow(body_of(family), {0, point, 0}, law, ElementKind::hex20, kCurveLevel,
+                            scene_load(kScene), 1e6, 20);
   curve.scene = kScene;
   return curve;
 }
@@ -136,11 +139,26 @@ Study bearing_study() {
       for (auto& row : scan(family)) out["scans"].push_back(row);
       report(++done, total, name_of(family));
     }
-    for (Law law : kLaws) out["curves"].push_back(figure(out["families"][1], law));
+    for (Law law : kLaws) out["curves"].push_back(figure(out["families"][kBest], law));
     report(total, total, "Fig. 9");
     return out;
   };
   return study;
+}
+
+Body fitted_bearing() {
+  const auto result = kept("bearing");
+  if (!result) throw std::runtime_error("the bearing is not fitted yet: run ./halfway reference bearing");
+  return body_of(result->at("families").at(kBest));
+}
+
+std::vector<Characterisation> kept_bearings() {
+  std::vector<Characterisation> out;
+  const auto result = kept("bearing");
+  if (!result) return out;
+  for (const auto& family : result->at("families"))
+    out.push_back(family.at("characterisation").get<Characterisation>());
+  return out;
 }
 
 }  // namespace halfway::reference::fe

@@ -28,6 +28,9 @@ Study curve_study(const CurvePlan& plan);
 
 /// The bearing: fits to Table 4, scans of the hole, xi of each family, Fig. 9.
 Study bearing_study();
+/// The fitted family that agrees best with the printed text: plane cut, conical hole. Throws
+/// std::runtime_error while the study is not kept.
+Body fitted_bearing();
 
 /// Full Newton solves over meshes: time and memory.
 Study newton_cost_study();

@@ -11,6 +11,8 @@ namespace halfway::reference::fe {
 namespace {
 
 constexpr int kLevel = 4;
+constexpr Law kLaw = Law::cauchy_log;
+constexpr const char* kBearing = "bearing";
 constexpr double kVisible = 0.12;  ///< of the body's size: the largest displacement as drawn
 
 /// Corner nodes of a hexahedron's six faces, seen from outside.
@@ -71,22 +73,27 @@ struct Picture {
   const char* note;
   const char* body;
   const char* scene;
-  Law law;
+  double factor;  ///< of the scene's load
 };
 
 constexpr Picture kPictures[] = {
     {"block_moment", "Parallelepiped under the skewed moment of Fig. 3",
-     "moment of 1 N m, nearly about axis 1", "block", "c2_parallelepiped_small", Law::cauchy_log},
+     "moment of 1 N m, nearly about axis 1", "block", "c2_parallelepiped_small", 1},
     {"frustum_moment", "Frustum, top clamped, under the moment of Fig. 6",
-     "moment of 1 N m, nearly about axis 1", "frustum_top", "c4_frustum", Law::cauchy_log},
+     "moment of 1 N m, nearly about axis 1", "frustum_top", "c4_frustum", 1},
     {"block_force", "Parallelepiped under compression and shear of Fig. 7",
-     "forces of -1 N along axis 1 and 1 N along axis 3 at the centroid", "block", "c6_compression_shear",
-     Law::cauchy_log}};
+     "forces of -1 N along axis 1 and 1 N along axis 3 at the centroid", "block", "c6_compression_shear", 1},
+    {"bearing_force", "Bearing (plane cut, conical hole) under the force of Fig. 9",
+     "shear of 1 MN along axis 1 and compression of 1 MN along axis 2 on the inner bowl", kBearing,
+     "c7_bearing", 1e6}};
 
 nlohmann::json picture(const Picture& p) {
-  const Body& body = body_named(p.body);
+  const Body body = std::string(p.body) == kBearing ? fitted_bearing() : body_named(p.body);
+  Load load = scene_load(p.scene);
+  load.f *= p.factor;
+  load.m *= p.factor;
   const Solid solid(body.mesh(ElementKind::hex20, kLevel), body.material, body.face + joint_point(body));
-  const Equilibrium e = Statics(solid).solve(p.law, scene_load(p.scene), solid.unloaded());
+  const Equilibrium e = Statics(solid).solve(kLaw, load, solid.unloaded());
   if (!e.converged) throw std::runtime_error(std::string(p.name) + ": " + e.reason);
   nlohmann::json out = drawing(solid.mesh(), e.state.u);
   out["name"] = p.name;
@@ -101,9 +108,11 @@ Study shapes_study() {
   Study study;
   study.name = "shapes";
   study.what = "Outer surfaces of the deformed bodies";
-  study.inputs = {{"version", kGeneratorVersion}, {"level", kLevel}};
-  for (const Picture& p : kPictures)
-    study.inputs["pictures"].push_back({p.name, p.body, p.scene, to_string(p.law)});
+  study.inputs = {{"version", kGeneratorVersion},
+                  {"level", kLevel},
+                  {"law", to_string(kLaw)},
+                  {"bearing", key_of(bearing_study())}};
+  for (const Picture& p : kPictures) study.inputs["pictures"].push_back({p.name, p.body, p.scene, p.factor});
   study.compute = [](const Report& report) {
     nlohmann::json out = nlohmann::json::array();
     for (const Picture& p : kPictures) {

@@ -16,7 +16,7 @@ using reference::CouplingGroup;
 
 /// The law whose truth the formulations are held against: what the paper's program documents.
 constexpr fe::Law kLaw = fe::Law::cauchy_log;
-constexpr const char* kBodies[] = {"block", "frustum_top"};
+constexpr const char* kBodies[] = {"block", "frustum_top", "bearing_plane_cone"};
 
 /// The mesh `before` places before the finest one of the default element.
 const fe::SecondOrder& finest(const std::string& body, std::size_t before = 0) {
