@@ -39,7 +39,8 @@ json xis(const fe::Characterisation& c) {
   json out = json::array();
   for (fe::Law law : fe::kLaws) {
     json row = {{"law", to_string(law)}};
-    for (const auto& [i, j] : kPairs) {
+    for (const auto& loads : kPairs) {
+      const int i = loads[0], j = loads[1];
       const std::string pair = fmt::format("{}{}", i + 1, j + 1);
       row["moments"].push_back(
           estimate(c, pair, "", [&](const auto& s) { return xi_of_moments(s, law, i, j); }));

@@ -16,7 +16,6 @@ namespace {
 namespace fe = reference::fe;
 using fe::ElementKind;
 
-constexpr std::array<std::array<int, 2>, 3> kPairs = {{{0, 2}, {1, 2}, {0, 1}}};
 constexpr const char* kBlocks[] = {"block", "frustum_top", "frustum_base"};
 
 std::string axis_name(int k) { return fmt::format("{}{}", k < 3 ? "u" : "theta", k % 3 + 1); }
