@@ -1,7 +1,7 @@
 #include "bench/case.hpp"
 
 #include <map>
-#include <memory>
+#include <utility>
 
 namespace halfway::bench {
 namespace {
@@ -27,11 +27,19 @@ const Checked& checked(const Case& c) {
   return it != done.end() ? it->second : done.emplace(c.name, c.check()).first->second;
 }
 
+void time_by(Case& c, std::function<void(int)> evaluate) {
+  c.evaluate = evaluate;
+  c.timed = [evaluate = std::move(evaluate)](benchmark::State& state) {
+    for (auto _ : state) evaluate(1);
+  };
+}
+
 void register_all() {
   static bool registered = false;
   if (std::exchange(registered, true)) return;
   for (const Case& c : all_cases()) {
-    benchmark::RegisterBenchmark(c.name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
+    auto* const b = benchmark::RegisterBenchmark(c.name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
+    if (c.wall_time) b->UseRealTime();
   }
 }
 

@@ -17,9 +17,11 @@ struct Truth {
   double strain = 0;  ///< |strain|
 };
 
-Truth truth(const reference::Entry& entry, const Inputs& in, int i, bool with_tangent) {
+Truth truth(const reference::Entry& entry, const Inputs& in, int i, bool with_tangent, Given given) {
   const auto& e = entry.in_real50;
-  const auto a = reference::cast<Real50>(in.a[i]), b = reference::cast<Real50>(in.b[i]);
+  const bool matrices = given == Given::matrices;
+  const auto a = matrices ? reference::cast<Real50>(in.a[i]) : reference::exact_pose(in.qa[i]);
+  const auto b = matrices ? reference::cast<Real50>(in.b[i]) : reference::exact_pose(in.qb[i]);
   Truth t;
   t.strain = double(Real50(e.strain(in.spec, a, b).norm()));
   if (in.spec.kind == Kind::angular) {
@@ -53,13 +55,11 @@ double largest_entry(const R& exact) {
   return worst;
 }
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-
 /// A few roundings, multiplied near pi by the poles of cayley and Euler measures (4 / (pi - 3) = 28 in
 /// the tangent at our largest angle): 256 eps. Poses are absolute, so a small strain is what
 /// cancellation leaves of rotations and offsets of order one, each three products from the data: 4 eps
 /// of those, over the strain.
-double limit(double strain) { return 256 * kEps + 4 * kEps / strain; }
+double limit(double strain, const Tolerance& t) { return 256 * t.eps + 4 * t.eps / strain + t.approximation; }
 
 /// Worst error of one pose, loads and tangent.
 double error_of(const Evaluated& value, const Truth& t, double stiffness) {
@@ -71,21 +71,33 @@ double error_of(const Evaluated& value, const Truth& t, double stiffness) {
 
 }  // namespace
 
-Checked compare(std::string_view formulation, const Inputs& in, const std::vector<Evaluated>& values) {
+Checked compare(std::string_view formulation, const Inputs& in, const std::vector<Evaluated>& values,
+                Given given, const Tolerance& tolerance) {
   const reference::Entry* entry = reference::find_formulation(formulation);
-  if (entry == nullptr) return {0, "not in the registry: nothing to check against"};
+  if (entry == nullptr) return {.message = "not in the registry: nothing to check against"};
   const double stiffness = std::get<reference::LinearSpec>(in.spec.law).matrix.norm();
   Checked out;
   double excess = 1;
   for (int i = 0; i < int(values.size()); ++i) {
-    const Truth t = truth(*entry, in, i, values[i].tangent.size() > 0);
+    const Truth t = truth(*entry, in, i, values[i].tangent.size() > 0, given);
     const double error = error_of(values[i], t, stiffness);
     out.error = std::max(out.error, error);
-    if (error <= excess * limit(t.strain)) continue;
-    excess = error / limit(t.strain);
-    out.message = fmt::format("pose {}: relative error {:.2e}, limit {:.2e}", i, error, limit(t.strain));
+    const double allowed = limit(t.strain, tolerance);
+    if (error <= excess * allowed) continue;
+    excess = error / allowed;
+    out.message = fmt::format("pose {}: relative error {:.2e}, limit {:.2e}", i, error, allowed);
   }
   return out;
+}
+
+std::vector<ErrorAt> errors_by_range(std::string_view formulation, const Inputs& in,
+                                     const EvaluateAll& evaluate, Given given) {
+  std::vector<ErrorAt> errors;
+  for (const ErrorAt& range : phi_ranges()) {
+    const Inputs moved = moved_into(in, range);
+    errors.push_back({range.from, range.to, compare(formulation, moved, evaluate(moved), given).error});
+  }
+  return errors;
 }
 
 }  // namespace halfway::bench

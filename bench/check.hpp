@@ -5,6 +5,7 @@
 #include "bench/inputs.hpp"
 #include "reference/registry.hpp"
 
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -33,8 +34,25 @@ Evaluated evaluated(const NodeLoads<double>& r) {
   return out;
 }
 
+/// What the poses are of which values were computed: rounded matrices, or quaternions.
+enum class Given { matrices, quaternions };
+
+/// How far values may be off: a few hundred roundings of `eps`, and what an approximation leaves out.
+struct Tolerance {
+  double eps = std::numeric_limits<double>::epsilon();
+  double approximation = 0;  ///< relative
+};
+
 /// The worst error over the poses: of loads relative to |K| |strain| or, where a measure amplifies
 /// (cayley near pi), to the largest load; of tangents relative to the largest entry.
-Checked compare(std::string_view formulation, const Inputs& in, const std::vector<Evaluated>& values);
+Checked compare(std::string_view formulation, const Inputs& in, const std::vector<Evaluated>& values,
+                Given given = Given::matrices, const Tolerance& tolerance = {});
+
+/// Values of all poses of some inputs.
+using EvaluateAll = std::function<std::vector<Evaluated>(const Inputs&)>;
+
+/// The worst error of poses in each of phi_ranges(). No limit holds it: it is shown.
+std::vector<ErrorAt> errors_by_range(std::string_view formulation, const Inputs& in,
+                                     const EvaluateAll& evaluate, Given given);
 
 }  // namespace halfway::bench

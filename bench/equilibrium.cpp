@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "bench/case.hpp"
+#include "bench/equilibrium.hpp"
 #include "formulations/systems/attached.hpp"
 #include "formulations/systems/intrinsic.hpp"
 #include "reference/gsl_solver.hpp"
@@ -17,21 +17,11 @@ namespace halfway::bench {
 
 Cases equilibrium_cases();
 
-namespace {
-
 using reference::Real50;
-using reference::Scene;
-
-struct Problem {
-  Scene scene;
-  int steps;  ///< equally spaced load factors that are solved one after the other
-  Vec3<double> moment;
-  LinearLaw<double, 3> law;
-};
 
 Problem problem(const std::string& name, bool whole_path) {
   const auto scenes = reference::canonical_scenes();
-  const auto scene = std::ranges::find(scenes, name, &Scene::name);
+  const auto scene = std::ranges::find(scenes, name, &reference::Scene::name);
   if (scene == scenes.end()) throw std::runtime_error("no canonical scene " + name);
   const reference::AnyLaw<double, 3> law(scene->joint.law);
   return {*scene,
@@ -39,6 +29,22 @@ Problem problem(const std::string& name, bool whole_path) {
           scene->loads.at(0).value,
           {law(Vec3<double>::Zero()).stiffness}};
 }
+
+Checked compare_end(const Problem& p, const char* formulation, const Pose<double>& b, double limit) {
+  reference::Path<Real50> path(p.scene, *reference::find_formulation(formulation), 0.5);
+  for (int i = 0; i < p.steps; ++i) path.advance(p.scene.factor_end * (i + 1) / p.steps);
+  if (path.state().status != Status::converged)
+    return {.message = "no solution at 50 digits to check against"};
+  const Mat3<Real50> R = path.state().b.R;
+  const Vec3<Real50> theta = so3::log<Real50>(R);
+  const Vec3<Real50> miss = so3::log<Real50>(b.R.cast<Real50>() * R.transpose());
+  Checked out{.error = double(Real50(miss.norm() / theta.norm()))};
+  if (!(out.error <= limit))
+    out.message = fmt::format("relative error {:.2e}, limit {:.2e}", out.error, limit);
+  return out;
+}
+
+namespace {
 
 template <class F>
 using AngularJoint = Joint<Kind::angular, double, F, LinearLaw<double, 3>>;
@@ -85,20 +91,6 @@ Pose<double> by_gsl(const Problem& p, const AngularJoint<F>& joint) {
   return b;
 }
 
-/// The rotation of node b at the end of the path at 50 digits, against that of the timed solver.
-Checked compare(const Problem& p, const char* formulation, const Pose<double>& b, double limit) {
-  reference::Path<Real50> path(p.scene, *reference::find_formulation(formulation), 0.5);
-  for (int i = 0; i < p.steps; ++i) path.advance(p.scene.factor_end * (i + 1) / p.steps);
-  if (path.state().status != Status::converged) return {0, "no solution at 50 digits to check against"};
-  const Mat3<Real50> R = path.state().b.R;
-  const Vec3<Real50> theta = so3::log<Real50>(R);
-  const Vec3<Real50> miss = so3::log<Real50>(b.R.cast<Real50>() * R.transpose());
-  Checked out{double(Real50(miss.norm() / theta.norm())), {}};
-  if (!(out.error <= limit))
-    out.message = fmt::format("relative error {:.2e}, limit {:.2e}", out.error, limit);
-  return out;
-}
-
 template <class F, class Solver>
 Case solver_case(const std::shared_ptr<const Problem>& p, const char* what, Solver solve, double limit) {
   Case c;
@@ -106,7 +98,7 @@ Case solver_case(const std::shared_ptr<const Problem>& p, const char* what, Solv
   c.kind = "angular";
   c.what = what;
   c.name = p->scene.name + '/' + F::name + '/' + what;
-  c.check = [p, solve, limit] { return compare(*p, F::name, solve(*p, joint_of<F>(*p)), limit); };
+  c.check = [p, solve, limit] { return compare_end(*p, F::name, solve(*p, joint_of<F>(*p)), limit); };
   c.timed = [p, solve](benchmark::State& state) {
     const auto joint = joint_of<F>(*p);
     for (auto _ : state) {

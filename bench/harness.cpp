@@ -74,14 +74,15 @@ class Collector : public benchmark::BenchmarkReporter {
     if (runs.empty() || runs.front().run_type == Run::RT_Aggregate) return;
     const Case& c = *cases_.at(runs.front().run_name.function_name);
     Timing timing;
-    timing.name = c.name, timing.formulation = c.formulation, timing.kind = c.kind, timing.what = c.what;
-    timing.error = checked(c).error;
+    static_cast<Label&>(timing) = c;
+    timing.flops = c.flops, timing.bytes = c.bytes;
+    timing.error = checked(c).error, timing.errors = checked(c).errors;
     std::vector<double> times;
     for (const Run& run : runs) {
       if (run.error_occurred)
         timing.wrong = true, timing.message = run.error_message;
       else if (run.run_type == Run::RT_Iteration)
-        times.push_back(run.GetAdjustedCPUTime() / c.evaluations);
+        times.push_back((c.wall_time ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime()) / c.evaluations);
     }
     if (!times.empty() && !timing.wrong) {
       const auto [median, spread] = statistics(times);

@@ -5,32 +5,22 @@
 #pragma once
 
 #include "bench/check.hpp"
+#include "bench/static_joint.hpp"
 
 #include <memory>
 
 namespace halfway::bench {
 
-template <class F>
-F make_formulation() {
-  if constexpr (requires { F::kProbeXi; })
-    return F(F::kProbeXi);
-  else
-    return F{};
-}
+/// Counted, of one evaluation: compiled apart from what is timed, see flops.hpp.
+template <class F, Kind kind, bool with_tangent>
+double flops(const Inputs& in);
 
-template <class F>
-Inputs inputs_of(Kind kind) {
-  constexpr bool block_diagonal = requires { F::kBlockDiagonalLawOnly; };
-  double xi = 0.5;
-  if constexpr (requires { F::kProbeXi; }) xi = F::kProbeXi;
-  return inputs(kind, xi, block_diagonal);
-}
-
-template <class F, Kind kind>
-auto make_joint(const reference::JointSpec& spec) {
-  constexpr int n = strain_count(kind);
-  const LinearLaw<double, n> law{std::get<reference::LinearSpec>(spec.law).matrix};
-  return Joint<kind, double, F, LinearLaw<double, n>>{make_formulation<F>(), law, spec.a, spec.b};
+/// Poses read and loads written; the joint stays in registers or L1.
+template <Kind kind, bool with_tangent>
+constexpr double bytes() {
+  const int read = kind == Kind::angular ? 2 * 9 : 2 * 12;  // positions do not concern an angular joint
+  const int written = kind == Kind::angular ? (with_tangent ? 3 + 18 : 3) : (with_tangent ? 12 + 144 : 12);
+  return (read + written) * double(sizeof(double));
 }
 
 template <class F, Kind kind, bool with_tangent>
@@ -49,17 +39,19 @@ Case residual_case(const std::shared_ptr<const Inputs>& in) {
     }
     return compare(F::name, *in, values);
   };
-  c.timed = [in](benchmark::State& state) {
-    const auto joint = make_joint<F, kind>(in->spec);
+  c.flops = flops<F, kind, with_tangent>(*in);
+  c.bytes = bytes<kind, with_tangent>();
+  time_by(c, [in, joint = make_joint<F, kind>(in->spec)](int iterations) {
+    const auto local = joint;  // as a caller's own: no store through a pointer can touch it
     const Pose<double>* const a = in->a.data();
     const Pose<double>* const b = in->b.data();
-    for (auto _ : state) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
       for (int i = 0; i < kPoses; ++i) {
-        auto result = loads<with_tangent>(joint, a[i], b[i]);
+        auto result = loads<with_tangent>(local, a[i], b[i]);
         benchmark::DoNotOptimize(result);
       }
     }
-  };
+  });
   return c;
 }
 

@@ -5,7 +5,8 @@ target_compile_options(halfway_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                        -fno-math-errno $<$<BOOL:${HALFWAY_WERROR}>:-Werror>)
 # GCC 12 reports an impossible overlap inside std::string's operator+ (its bug 105651).
 target_compile_options(halfway_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-# Eigen and the standard library are half of a small unit's compile time: precompiled once a target.
+# Eigen and the standard library are half of a small unit's compile time: precompiled once for all targets
+# of the same options: verify takes reference's, reports those of reference_fe, which have JSON as well.
 function(shared_headers target)
   target_precompile_headers(${target} PRIVATE <Eigen/Geometry> <Eigen/LU> <array> <cmath> <functional> <optional>
                             <string> <variant> <vector> ${ARGN})

@@ -2,16 +2,9 @@
 #pragma once
 
 #include "reference/instantiations.hpp"
+#include "reference/kernel_instance.hpp"
 
 namespace halfway::reference {
-
-template <class F>
-F make_formulation(double xi) {
-  if constexpr (requires { F::kProbeXi; })
-    return F(xi);
-  else
-    return F{};
-}
 
 template <class F, Kind kind, class T>
 auto make_joint(const JointSpec& spec) {
@@ -78,7 +71,8 @@ Entry make_entry() {
               &F::has_potential,
               evaluators<F, double>(),
               evaluators<F, Real50>(),
-              evaluators<F, Dual<Real50>>()};
+              evaluators<F, Dual<Real50>>(),
+              make_kernel_entry<F>()};
   if constexpr (requires { F::kProbeXi; }) {
     entry.needs_xi = true;
     entry.probe_xi = F::kProbeXi;

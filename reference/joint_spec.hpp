@@ -76,4 +76,8 @@ T AnyLaw<T, N>::energy(const Eigen::Matrix<T, N, 1>& strain) const {
   return std::visit([&](const auto& law) { return law.energy(strain); }, law_);
 }
 
+// Those of every scene and request; the other scalars' are in instantiations.hpp.
+extern template class AnyLaw<double, 3>;
+extern template class AnyLaw<double, 6>;
+
 }  // namespace halfway::reference

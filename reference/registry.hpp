@@ -3,6 +3,7 @@
 
 #include "reference/dual.hpp"
 #include "reference/joint_spec.hpp"
+#include "reference/kernel_entry.hpp"
 #include "reference/precision.hpp"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct Entry {
   Evaluators<double> in_double;
   Evaluators<Real50> in_real50;
   Evaluators<Dual<Real50>> in_dual50;
+  KernelEntry kernel;
 
   template <class T>
   const Evaluators<T>& in() const {

@@ -1,7 +1,8 @@
 #include "reference/scene_joint.hpp"
 
+#include "reference/spectrum.hpp"
+
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -67,7 +68,7 @@ void check_positive_definite(const Field& law, const Eigen::MatrixXd& m) {
   }
   const Eigen::VectorXd scale = m.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * m * scale.asDiagonal();
-  const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues()(0);
+  const double smallest = spectrum(scaled).smallest;
   if (!(smallest > kSmallestEigenvalue)) {
     law.refuse(
         fmt::format("is singular or indefinite: smallest eigenvalue {:.3g} at unit diagonal", smallest),

@@ -13,10 +13,13 @@ constexpr double kLeastAngle = 0.1;  ///< rad, of ends and poses: nothing accide
 Eigen::MatrixXd stiffness(Generator& g, int n) {
   Eigen::MatrixXd basis(n, n);
   for (double& x : basis.reshaped()) x = g.uniform(-1, 1);
-  const Eigen::MatrixXd Q = basis.householderQr().householderQ();
-  Eigen::VectorXd k(n);
-  for (int i = 0; i < n; ++i) k[i] = std::pow(100.0, (i + g.uniform(0.1, 0.9)) / n);
-  const Eigen::MatrixXd K = Q * k.asDiagonal() * Q.transpose();
+  // Gram-Schmidt, since K takes no harm from rounding and Householder's takes eight seconds to compile.
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < i; ++j) basis.col(i) -= basis.col(j).dot(basis.col(i)) * basis.col(j);
+    basis.col(i).normalize();
+    K += std::pow(100.0, (i + g.uniform(0.1, 0.9)) / n) * basis.col(i) * basis.col(i).transpose();
+  }
   return (K + K.transpose()) / 2;
 }
 

@@ -105,7 +105,6 @@ BearingAnswer bearing_data(const Bearing& bearing, ElementKind element, const Be
   BearingAnswer answer;
   answer.data = {d.F_u(1, 1), (d.F_u(0, 0) + d.F_u(2, 2)) / 2, (d.F_psi(0, 0) + d.F_psi(2, 2)) / 2,
                  d.F_psi(1, 1), bearing.outer + d.x[1]};
-  answer.remainder = d.remainder.cwiseAbs().maxCoeff() / d.x.norm();
   answer.unknowns = solid.unknowns();
   return answer;
 }

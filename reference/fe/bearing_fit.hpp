@@ -23,7 +23,6 @@ inline constexpr BearingData kTable4 = {3.4801e-8, 4.9357e-8, 6.3072e-10, 5.7187
 /// The same five numbers of a meshed bearing, decoupled where forces and moments part.
 struct BearingAnswer {
   BearingData data;
-  double remainder;  ///< largest of A - [x] over |x|: 0 when moving the joint point decouples (it does here)
   int unknowns;
 };
 BearingAnswer bearing_data(const Bearing& bearing, ElementKind element, const BearingDivisions& divisions,

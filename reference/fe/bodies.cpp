@@ -19,8 +19,6 @@ Body block(const std::string& name, const std::string& title, const TaperedBlock
                    {"grading", kGrading}};
   body.material = {1, 0.3};
   body.face = {size.length, 0, 0};
-  body.axis = {1, 0, 0};
-  body.planes = {0, 2};
   body.mesh = [=](ElementKind element, int level) {
     const auto divisions = [&](double ratio) { return std::max(2, int(std::lround(ratio * level))); };
     return tapered_block(element, size, {divisions(along), divisions(across), level}, kGrading);

@@ -17,9 +17,7 @@ struct Body {
   std::string title;        ///< for people
   nlohmann::json geometry;  ///< everything that the mesh follows from, m; part of the data's key
   Material material;
-  Vec3<double> face;          ///< centre of the rigid face, m
-  Vec3<double> axis;          ///< unit, along which the joint point is looked for
-  std::array<int, 2> planes;  ///< the two loaded components of the paper's case, e.g. {0, 2}
+  Vec3<double> face;                                 ///< centre of the rigid face, m
   std::function<Mesh(ElementKind, int level)> mesh;  ///< level: elements along the shortest edge
 };
 

@@ -1,23 +1,13 @@
 #include "reference/fe/calculix.hpp"
 
 #include "formulations/so3.hpp"
+#include "reference/fe/calculix_run.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <deque>
-#include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -25,9 +15,6 @@
 namespace halfway::reference::fe {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* kProgram = "ccx";
 /// Largest residual over the average nodal force: with ccx's own 5e-3 the second-order parts of d and
 /// theta were off by 2e-5, with this by at most 2e-6. Rounding leaves 1e-11 (1k unknowns) to 5e-10 (5k).
 constexpr double kResidual = 1e-8;
@@ -38,116 +25,6 @@ constexpr int kMostRuns = 12;
 /// Young's modulus in the inputs: ccx takes a residual force below 1e-6 for zero, whatever the unit, so
 /// forces are given in a unit that makes them large. Displacements and rotations know no unit of force.
 constexpr double kModulus = 1e12;
-
-/// A folder of this call alone, gone with it.
-class Folder {
- public:
-  Folder() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "halfway-ccx-XXXXXX").string();
-    if (error || !mkdtemp(name.data()))
-      throw std::runtime_error(fmt::format("ccx (CalculiX): no temporary folder can be made (TMPDIR): {}",
-                                           error ? error.message() : std::strerror(errno)));
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-std::optional<fs::path> find_program() {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path candidate = fs::path(folder) / kProgram;
-    std::error_code ignored;
-    if (fs::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0)
-      return fs::absolute(candidate);
-  }
-  return std::nullopt;
-}
-
-std::string last_lines(const fs::path& log) {
-  constexpr std::size_t kLines = 8;
-  std::deque<std::string> lines;
-  std::ifstream in(log);
-  for (std::string line; std::getline(in, line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    lines.push_back(line);
-    if (lines.size() > kLines) lines.pop_front();
-  }
-  std::string out;
-  for (const std::string& line : lines) out += "\n  " + line;
-  return out.empty() ? "\n  (it printed nothing)" : out;
-}
-
-[[noreturn]] void fail(const std::string& what, const Folder& folder) {
-  throw std::runtime_error(
-      fmt::format("ccx (CalculiX): {}; its last lines:{}", what, last_lines(folder / "log")));
-}
-
-/// This process's environment with one thread, whatever the caller's settings: the cost is then CPU time.
-std::vector<std::string> environment() {
-  std::vector<std::string> out;
-  const std::vector<std::string> ours = {
-      "OMP_NUM_THREADS=",     "OPENBLAS_NUM_THREADS=",      "CCX_NPROC_RESULTS=",
-      "CCX_NPROC_STIFFNESS=", "CCX_NPROC_EQUATION_SOLVER=", "NUMBER_OF_CPUS="};
-  for (char** entry = environ; *entry; ++entry) {
-    bool overridden = false;
-    for (const std::string& name : ours) overridden = overridden || std::string(*entry).starts_with(name);
-    if (!overridden) out.emplace_back(*entry);
-  }
-  for (const std::string& name : ours) out.push_back(name + "1");
-  return out;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& strings) {
-  std::vector<char*> out;
-  for (std::string& s : strings) out.push_back(s.data());
-  out.push_back(nullptr);
-  return out;
-}
-
-/// Runs ccx in the folder, its output in `log`; the exit status, or 128 + the signal that ended it.
-int run(const Folder& folder, std::vector<std::string> arguments, CalculixCost& cost) {
-  const std::optional<fs::path> program = find_program();
-  if (!program) throw std::runtime_error("ccx (CalculiX, package calculix-ccx) is not on PATH");
-  arguments.insert(arguments.begin(), kProgram);
-  std::vector<std::string> variables = environment();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  const auto start = std::chrono::steady_clock::now();
-  pid_t pid = 0;
-  const int error = posix_spawn(&pid, program->c_str(), &actions, nullptr, pointers(arguments).data(),
-                                pointers(variables).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0)
-    throw std::runtime_error(
-        fmt::format("ccx (CalculiX): {} does not start: {}", program->string(), std::strerror(error)));
-  int status = 0;
-  rusage usage{};
-  while (wait4(pid, &status, 0, &usage) < 0) {
-    if (errno != EINTR)
-      throw std::runtime_error(fmt::format("ccx (CalculiX): lost: {}", std::strerror(errno)));
-  }
-  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-  cost.cpu += seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  cost.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  ++cost.runs;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 const char* element_name(ElementKind kind) {
   if (kind == ElementKind::hex20) return "C3D20R";
@@ -207,7 +84,7 @@ void write_load(std::ostream& out, const Mesh& mesh, const Material& material, c
 }
 
 /// The poses ccx printed, one for each step: (d, theta) of the last increment.
-std::vector<Vec6> read_poses(const Folder& folder, int steps) {
+std::vector<Vec6> read_poses(const CalculixFolder& folder, int steps) {
   std::ifstream in(folder / "job.dat");
   std::vector<Vec6> poses(std::size_t(steps), Vec6::Constant(std::nan("")));
   for (std::string line; std::getline(in, line);) {
@@ -225,12 +102,13 @@ std::vector<Vec6> read_poses(const Folder& folder, int steps) {
       Vec3<double> u;
       std::string surplus;
       if (!(fields >> node >> u[0] >> u[1] >> u[2]) || fields >> surplus)
-        fail(fmt::format("no displacement can be read from \"{}\"", line), folder);
+        calculix_fail(fmt::format("no displacement can be read from \"{}\"", line), folder);
       poses[std::size_t(step) - 1].segment<3>(3 * half) = u;
     }
   }
   for (const Vec6& pose : poses) {
-    if (!pose.allFinite()) fail("the displacement of the rigid face is missing or no number", folder);
+    if (!pose.allFinite())
+      calculix_fail("the displacement of the rigid face is missing or no number", folder);
   }
   return poses;
 }
@@ -238,29 +116,27 @@ std::vector<Vec6> read_poses(const Folder& folder, int steps) {
 /// The poses at the ends of the steps of the input that `write` gives.
 template <class Write>
 std::vector<Vec6> solve(int steps, CalculixCost& cost, Write write) {
-  const Folder folder;
+  const CalculixFolder folder;
   std::ofstream input(folder / "job.inp");
   write(input);
   input.close();
   if (!input) throw std::runtime_error("ccx (CalculiX): its input file cannot be written (disk full?)");
-  const int status = run(folder, {"-i", "job"}, cost);
-  if (status != 0) fail(fmt::format("ended with status {}", status), folder);
+  const int status = run_calculix(folder, {"-i", "job"}, cost);
+  if (status != 0) calculix_fail(fmt::format("ended with status {}", status), folder);
   return read_poses(folder, steps);
 }
 
 }  // namespace
 
-bool calculix_available() { return find_program().has_value(); }
-
 std::string calculix_version() {
-  const Folder folder;
+  const CalculixFolder folder;
   CalculixCost cost;
-  run(folder, {"-v"}, cost);  // its status is that of a stop, 201
+  run_calculix(folder, {"-v"}, cost);  // its status is that of a stop, 201
   std::ifstream log(folder / "log");
   for (std::string word; log >> word;) {
     if (word == "Version" && log >> word) return word;
   }
-  fail("ccx -v states no version", folder);
+  calculix_fail("ccx -v states no version", folder);
 }
 
 CalculixLinear calculix_linear(const Mesh& mesh, const Material& material,
@@ -278,23 +154,34 @@ CalculixLinear calculix_linear(const Mesh& mesh, const Material& material,
   return out;
 }
 
+CalculixPose calculix_as_coded(const Mesh& mesh, const Material& material,
+                               const Vec3<double>& reference_point, const Vec3<double>& f,
+                               const Vec3<double>& m) {
+  CalculixPose out{Vec3<double>::Zero(), Vec3<double>::Zero(), {}};
+  const Vec6 pose = solve(1, out.cost, [&](std::ostream& input) {
+    write_model(input, mesh, material, reference_point);
+    input << "*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1., 1.E-3, 1.\n*CONTROLS, PARAMETERS=FIELD\n"
+          << fmt::format("{0:.1E}, {0:.1E}, 0., 0., {0:.1E}, 1.E-12, 1.E-12, {0:.1E}\n", kResidual)
+          << "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n"
+          << kPatience << '\n';
+    write_load(input, mesh, material, f, m);
+  })[0];
+  out.d = pose.head<3>();
+  out.theta = pose.tail<3>();
+  return out;
+}
+
 CalculixPose calculix_nonlinear(const Mesh& mesh, const Material& material,
                                 const Vec3<double>& reference_point, const Load& load) {
   CalculixPose out{Vec3<double>::Zero(), Vec3<double>::Zero(), {}};
   while (out.cost.runs < kMostRuns) {
     const Vec3<double> m = load.follower ? Vec3<double>(so3::exp<double>(out.theta) * load.m) : load.m;
     const Vec3<double> applied = so3::gamma<double>(out.theta).transpose() * m;
-    const Vec6 pose = solve(1, out.cost, [&](std::ostream& input) {
-      write_model(input, mesh, material, reference_point);
-      input << "*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1., 1.E-3, 1.\n*CONTROLS, PARAMETERS=FIELD\n"
-            << fmt::format("{0:.1E}, {0:.1E}, 0., 0., {0:.1E}, 1.E-12, 1.E-12, {0:.1E}\n", kResidual)
-            << "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n"
-            << kPatience << '\n';
-      write_load(input, mesh, material, load.f, applied);
-    })[0];
-    const Vec3<double> change = pose.tail<3>() - out.theta;
-    out.d = pose.head<3>();
-    out.theta = pose.tail<3>();
+    CalculixPose next = calculix_as_coded(mesh, material, reference_point, load.f, applied);
+    const Vec3<double> change = next.theta - out.theta;
+    next.cost.cpu += out.cost.cpu;
+    next.cost.runs += out.cost.runs;
+    out = next;
     // One or two units of the last printed digit; beside it what the residual leaves of a zero.
     const Vec3<double> allowed =
         1e-6 * out.theta.cwiseAbs() + Vec3<double>::Constant(1e-9 * out.theta.norm());

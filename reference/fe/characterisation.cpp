@@ -43,7 +43,7 @@ Vec3<double> joint_point(const Body& body) {
   const Vec3<double> x = decouple<double>(linear_at(solid).compliance).x;
   const double length = solid.mesh().X.row(0).maxCoeff() - solid.mesh().X.row(0).minCoeff();
   const double step = 1e-4 * length;
-  return std::round(x.dot(body.axis) / step) * step * body.axis;
+  return {std::round(x[0] / step) * step, 0, 0};
 }
 
 MeshRun characterise(const Body& body, const Vec3<double>& joint_point, ElementKind element, int level) {

@@ -28,8 +28,9 @@ struct MeshPlan {
   std::vector<int> levels;  ///< ascending
 };
 
-/// The joint point that decouples forces from moments best (nearest skew part of A), from a coarse mesh,
-/// from the face's centre, rounded to 1e-4 of the body's length so that it is the same for every mesh.
+/// The joint point that decouples forces from moments best (nearest skew part of A), from a coarse mesh
+/// of a body along axis 1, from the face's centre, rounded to 1e-4 of the body's length so that it is the
+/// same for every mesh.
 Vec3<double> joint_point(const Body& body);
 
 MeshRun characterise(const Body& body, const Vec3<double>& joint_point, ElementKind element, int level);

@@ -1,4 +1,4 @@
-// Nonlinear curves: a body's rigid face under a growing load, by full Newton.
+// Nonlinear curves: a body's rigid face under a growing load, each point by Newton (Statics::solve).
 #pragma once
 
 #include "reference/fe/bodies.hpp"

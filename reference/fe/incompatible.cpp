@@ -1,7 +1,8 @@
 #include "reference/fe/incompatible.hpp"
 
+#include "reference/fe/cholesky.hpp"
+
 #include <Eigen/Cholesky>
-#include <Eigen/CholmodSupport>
 #include <Eigen/LU>
 
 #include <array>
@@ -57,25 +58,6 @@ Mat3<double> centre_jacobian(const Eigen::Matrix<double, 3, kNodes>& X, const Re
   return J;
 }
 
-/// Node -> its place among the interior nodes, or kHeld, or kCarried by face b.
-constexpr int kHeld = -1, kCarried = -2;
-
-struct Numbering {
-  std::vector<int> place;
-  int interior = 0;
-};
-
-Numbering number(const Mesh& mesh) {
-  Numbering n;
-  n.place.assign(std::size_t(mesh.X.cols()), 0);
-  for (int node : mesh.clamped) n.place[std::size_t(node)] = kHeld;
-  for (int node : mesh.rigid) n.place[std::size_t(node)] = kCarried;
-  for (int& place : n.place) {
-    if (place == 0) place = n.interior++;
-  }
-  return n;
-}
-
 /// What the interior and the face (d, theta) feel of each other.
 struct System {
   Eigen::SparseMatrix<double> K;                    ///< interior, lower triangle, N/m
@@ -100,9 +82,9 @@ void scatter(const Mat24& K, const Motion& K_motion, const std::array<int, 3 * k
 }
 
 System assemble(const Mesh& mesh, const Material& material, const Vec3<double>& reference_point) {
-  const Numbering numbering = number(mesh);
+  const Numbering numbering = number_nodes(mesh);
   System out;
-  out.K.resize(3 * numbering.interior, 3 * numbering.interior);
+  out.K.resize(3 * numbering.interior_count, 3 * numbering.interior_count);
   out.K_face = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(out.K.rows(), 6);
   out.face.setZero();
   std::vector<Eigen::Triplet<double>> entries;
@@ -111,9 +93,10 @@ System assemble(const Mesh& mesh, const Material& material, const Vec3<double>& 
     Motion motion = Motion::Zero();
     std::array<int, 3 * kNodes> row;
     for (int a = 0; a < kNodes; ++a) {
-      const int place = numbering.place[std::size_t(mesh.elements(a, e))];
+      const auto node = std::size_t(mesh.elements(a, e));
+      const int place = numbering.interior[node];
       for (int k = 0; k < 3; ++k) row[std::size_t(3 * a + k)] = place < 0 ? place : 3 * place + k;
-      if (place == kCarried)
+      if (numbering.face[node] >= 0)
         motion.middleRows<3>(3 * a) << Mat3<double>::Identity(), -skew<double>(X.col(a) - reference_point);
     }
     const Mat24 K = incompatible_stiffness(X, material);
@@ -127,21 +110,10 @@ System assemble(const Mesh& mesh, const Material& material, const Vec3<double>& 
 
 /// K^-1 K_face of the interior.
 Eigen::MatrixXd solve_interior(const System& system) {
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky;
-  cholesky.cholmod().nmethods = 1;
-  cholesky.cholmod().method[0].ordering = CHOLMOD_METIS;
-  cholesky.cholmod().postorder = 1;
-  cholesky.cholmod().print = 0;
-  cholesky.compute(system.K);
-  if (cholesky.info() != Eigen::Success)
+  Cholesky cholesky;
+  if (!cholesky.factorize(system.K))
     throw std::domain_error("the interior's stiffness is not positive definite: a part of the mesh is loose");
-  return cholesky.solve(Eigen::MatrixXd(system.K_face));
-}
-
-void check(const Material& material) {
-  if (material.E > 0 && material.nu > -1 && material.nu < 0.5) return;
-  throw std::invalid_argument("material has E = " + std::to_string(material.E) +
-                              ", nu = " + std::to_string(material.nu) + "; allowed: E > 0, -1 < nu < 0.5");
+  return cholesky.solve(system.K_face);
 }
 
 }  // namespace
@@ -152,24 +124,24 @@ Mat24 incompatible_stiffness(const Eigen::Matrix<double, 3, 8>& X, const Materia
   const Mat6 D = respond(Law::st_venant, material, Mat3<double>::Zero()).D;
   const Mat3<double> centre = centre_jacobian(X, reference);
   const Mat3<double> centre_inverse_transpose = centre.inverse().transpose();
-  Mat24 K = Mat24::Zero();
-  Eigen::Matrix<double, kModes, 24> L = Eigen::Matrix<double, kModes, 24>::Zero();
-  Eigen::Matrix<double, kModes, kModes> H = Eigen::Matrix<double, kModes, kModes>::Zero();
+  // Nodal unknowns, then internal modes.
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(24 + kModes, 24 + kModes), strains(6, 24 + kModes);
   for (std::size_t p = 0; p < reference.points.size(); ++p) {
     const Mat3<double> J = X * reference.dN[p].transpose();
-    const Nodal B = nodal_strains(J.inverse().transpose() * reference.dN[p]);
-    const Internal G = internal_strains(reference.points[p], centre_inverse_transpose,
-                                        J.determinant() / centre.determinant());
-    const Mat6 weighted = reference.weights[p] * J.determinant() * D;
-    K += B.transpose() * weighted * B;
-    L += G.transpose() * weighted * B;
-    H += G.transpose() * weighted * G;
+    strains << nodal_strains(J.inverse().transpose() * reference.dN[p]),
+        internal_strains(reference.points[p], centre_inverse_transpose,
+                         J.determinant() / centre.determinant());
+    const Eigen::MatrixXd stresses = reference.weights[p] * J.determinant() * D * strains;
+    both.noalias() += strains.transpose() * stresses;
   }
-  const Eigen::LLT<Eigen::Matrix<double, kModes, kModes>> cholesky(H);
+  const Eigen::MatrixXd L = both.bottomLeftCorner(kModes, 24);
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(both.bottomRightCorner(kModes, kModes));
   if (cholesky.info() != Eigen::Success)
     throw std::domain_error(
         "the internal modes of an element have no positive stiffness: its shape is degenerate");
-  K -= L.transpose() * cholesky.solve(L);
+  const Eigen::MatrixXd released = cholesky.solve(L);
+  both.topLeftCorner(24, 24).noalias() -= L.transpose() * released;
+  const Mat24 K = both.topLeftCorner(24, 24);
   return (K + K.transpose()) / 2;
 }
 

@@ -123,6 +123,12 @@ Law law_named(const std::string& name) {
   throw std::invalid_argument("law is \"" + name + "\"; allowed: st_venant, neo_hooke, hencky, cauchy_log");
 }
 
+void check(const Material& material) {
+  if (material.E > 0 && material.nu > -1 && material.nu < 0.5) return;
+  throw std::invalid_argument("material has E = " + std::to_string(material.E) +
+                              ", nu = " + std::to_string(material.nu) + "; allowed: E > 0, -1 < nu < 0.5");
+}
+
 LawResponse6 respond(Law law, const Material& material, const Mat3<double>& E) {
   const double lambda = material.lambda(), mu = material.mu();
   switch (law) {

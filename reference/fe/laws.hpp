@@ -30,6 +30,9 @@ struct Material {
   double mu() const { return E / (2 * (1 + nu)); }
 };
 
+/// Throws std::invalid_argument, with both values, unless E > 0 and -1 < nu < 0.5.
+void check(const Material& material);
+
 /// Symmetric tensors as vectors (11, 22, 33, 12, 23, 13); strains carry 2 E_12 and so on.
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -124,6 +124,21 @@ Mesh structured(ElementKind element, const std::vector<Patch>& patches) {
   return mesh;
 }
 
+Numbering number_nodes(const Mesh& mesh) {
+  Numbering n;
+  n.interior.assign(std::size_t(mesh.X.cols()), 0);
+  n.face.assign(n.interior.size(), -1);
+  for (int node : mesh.clamped) n.interior[std::size_t(node)] = -1;
+  for (std::size_t i = 0; i < mesh.rigid.size(); ++i) {
+    n.interior[std::size_t(mesh.rigid[i])] = -1;
+    n.face[std::size_t(mesh.rigid[i])] = int(i);
+  }
+  for (int& place : n.interior) {
+    if (place == 0) place = n.interior_count++;
+  }
+  return n;
+}
+
 Mesh tapered_block(ElementKind element, const TaperedBlock& body, const std::array<int, 3>& divisions,
                    double grading) {
   const auto map = [body](const Vec3<double>& t) {

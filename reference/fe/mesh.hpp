@@ -18,6 +18,13 @@ struct Mesh {
   std::vector<int> rigid;    ///< nodes of the face of node b
 };
 
+/// Per node its place among the interior nodes, and its column among those of the rigid face; -1: not one.
+struct Numbering {
+  std::vector<int> interior, face;
+  int interior_count = 0;
+};
+Numbering number_nodes(const Mesh& mesh);
+
 /// A box of elements: the image of [0, 1]^3, whose side t_1 = 0 may be clamped and t_1 = 1 rigid.
 struct Patch {
   std::array<int, 3> divisions;

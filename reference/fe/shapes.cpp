@@ -93,7 +93,7 @@ std::vector<std::array<double, 2>> gauss(ElementKind kind) {
 }
 
 ReferenceElement build(ElementKind kind) {
-  ReferenceElement e{kind, element_nodes(kind), {}, {}, {}, {}};
+  ReferenceElement e{kind, element_nodes(kind), {}, {}, {}};
   const auto line = gauss(kind);
   for (const auto& z : line) {
     for (const auto& y : line) {
@@ -103,13 +103,10 @@ ReferenceElement build(ElementKind kind) {
       }
     }
   }
-  e.N.resize(Eigen::Index(e.nodes.size()), Eigen::Index(e.points.size()));
   for (std::size_t p = 0; p < e.points.size(); ++p) {
     e.dN.emplace_back(3, Eigen::Index(e.nodes.size()));
     for (std::size_t n = 0; n < e.nodes.size(); ++n) {
-      const Shape s = shape(kind, e.nodes[n], e.points[p]);
-      e.N(Eigen::Index(n), Eigen::Index(p)) = s.value;
-      e.dN[p].col(Eigen::Index(n)) = s.gradient;
+      e.dN[p].col(Eigen::Index(n)) = shape(kind, e.nodes[n], e.points[p]).gradient;
     }
   }
   return e;

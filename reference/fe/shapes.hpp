@@ -24,7 +24,6 @@ struct ReferenceElement {
   std::vector<Vec3<int>> nodes;      ///< coordinates -1, 0, 1; corners, then edges, as CalculiX orders them
   std::vector<Vec3<double>> points;  ///< of the integration
   std::vector<double> weights;       ///< sum to 8
-  Eigen::MatrixXd N;                 ///< nodes x points
   std::vector<Eigen::Matrix3Xd> dN;  ///< per point 3 x nodes, d N / d local coordinate
 };
 

@@ -28,12 +28,13 @@ struct Assembly {
 class Solid {
  public:
   /// reference_point: where the face's displacement is read and its force acts, m; it moves with the face.
+  /// Throws std::invalid_argument for hex8i (linear analysis only) and as check(material).
   Solid(Mesh mesh, const Material& material, const Vec3<double>& reference_point);
 
   const Mesh& mesh() const { return mesh_; }
   const Material& material() const { return material_; }
-  int unknowns() const { return 3 * interior_count_ + 6; }
-  int interior_unknowns() const { return 3 * interior_count_; }
+  int unknowns() const { return interior_unknowns() + 6; }
+  int interior_unknowns() const { return 3 * numbering_.interior_count; }
 
   State unloaded() const;
   /// Moves the interior by `interior` (m) and the face by the increment (dx, dw), dw a rotation vector.
@@ -54,7 +55,7 @@ class Solid {
   Eigen::Index points() const { return volumes_.rows(); }
 
  private:
-  void number_interior();
+  void find_arms();
   void find_gradients();
   void find_pattern();
   void place_face(State& state) const;
@@ -69,9 +70,7 @@ class Solid {
   Material material_;
   Vec3<double> reference_point_;
   Eigen::Matrix3Xd arms_;
-  std::vector<int> interior_;  ///< node -> its place in K, or -1
-  std::vector<int> face_;      ///< node -> its column of arms_, or -1
-  int interior_count_ = 0;
+  Numbering numbering_;
   Eigen::Matrix3Xd gradients_;  ///< elements x points x nodes columns
   Eigen::MatrixXd volumes_;     ///< points x elements
   Eigen::SparseMatrix<double> pattern_;

@@ -2,8 +2,9 @@
 
 #include "formulations/so3.hpp"
 
-#include <dlfcn.h>
 #include <Eigen/LU>
+
+#include <stdexcept>
 
 namespace halfway::reference::fe {
 namespace {
@@ -12,32 +13,9 @@ constexpr int kMostIterations = 60;
 constexpr double kFine = 1e-12;   ///< relative update that needs no further iteration: the next is a tenth
 constexpr double kCoarse = 1e-8;  ///< coarser than this is no result
 
-/// Threads of OpenBLAS and of CHOLMOD's OpenMP loops wait for each other by spinning: on a shared machine
-/// they cost thirty times what they gain on these small blocks. Looked up at run time, since another BLAS may
-/// be behind CHOLMOD, or a build without OpenMP.
-void use_one_thread() {
-  using Set = void (*)(int);
-  if (auto* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Set>(symbol)(1);
-  if (auto* symbol = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels")) reinterpret_cast<Set>(symbol)(0);
-}
-
 }  // namespace
 
 Vec3<double> Equilibrium::theta() const { return so3::log<double>(state.R); }
-
-Statics::Statics(const Solid& solid) : solid_(solid) {
-  use_one_thread();
-  cholesky_.cholmod().nmethods = 1;
-  cholesky_.cholmod().method[0].ordering = CHOLMOD_METIS;
-  cholesky_.cholmod().postorder = 1;
-  cholesky_.cholmod().print = 0;
-}
-
-void Statics::factorize(const Eigen::SparseMatrix<double>& K) {
-  if (!analyzed_) cholesky_.analyzePattern(K);
-  analyzed_ = true;
-  cholesky_.factorize(K);
-}
 
 Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
   Equilibrium out;
@@ -54,16 +32,14 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
     Mat6 face_tangent = a.face;
     if (load.follower) face_tangent.bottomRightCorner<3, 3>() += skew<double>(m);
     const Eigen::VectorXd interior = solid_.interior(a.force);
-    out.residual = interior.lpNorm<Eigen::Infinity>() / a.force.cwiseAbs().maxCoeff();
 
     if (stale) {
-      factorize(a.K);
-      if (cholesky_.info() != Eigen::Success) {
+      if (!cholesky_.factorize(a.K)) {
         out.reason = "the interior's tangent is not positive definite: the load passes a limit of the solid";
         return out;
       }
       K_face = a.K_face;
-      Y = cholesky_.solve(Eigen::MatrixXd(K_face));
+      Y = cholesky_.solve(K_face);
     }
     const Eigen::VectorXd y = cholesky_.solve(interior);
     const Mat6 schur = face_tangent - K_face.transpose() * Y;
@@ -98,8 +74,9 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
 Statics::Linear Statics::linear() {
   const State state = solid_.unloaded();
   const Assembly a = solid_.assemble(Law::st_venant, state);
-  factorize(a.K);
-  const Eigen::MatrixXd Y = cholesky_.solve(Eigen::MatrixXd(a.K_face));
+  if (!cholesky_.factorize(a.K))
+    throw std::domain_error("the interior's stiffness is not positive definite: a part of the mesh is loose");
+  const Eigen::MatrixXd Y = cholesky_.solve(a.K_face);
   Linear out;
   const Mat6 stiffness = a.face - a.K_face.transpose() * Y;
   out.compliance = ((stiffness + stiffness.transpose()) / 2).inverse();

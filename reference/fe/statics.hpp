@@ -1,9 +1,8 @@
 // Equilibrium of a solid under a load on its rigid face, and its linear characterisation.
 #pragma once
 
+#include "reference/fe/cholesky.hpp"
 #include "reference/fe/solid.hpp"
-
-#include <Eigen/CholmodSupport>
 
 #include <string>
 
@@ -22,16 +21,14 @@ struct Equilibrium {
   bool converged = false;
   int iterations = 0;
   double update = 0;           ///< last relative change
-  double residual = 0;         ///< out-of-balance force over the largest nodal force
   std::string reason;          ///< why not converged
   Vec3<double> theta() const;  ///< log(R), rad
 };
 
-/// The interior by CHOLMOD (supernodal, METIS: five times faster than Eigen's own at 17k unknowns), the
-/// face by a dense 6x6. One symbolic analysis per mesh.
+/// The interior by CHOLMOD, the face by a dense 6x6. One symbolic analysis per mesh.
 class Statics {
  public:
-  explicit Statics(const Solid& solid);
+  explicit Statics(const Solid& solid) : solid_(solid) {}
 
   const Solid& solid() const { return solid_; }
   /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8. The tangent
@@ -43,14 +40,12 @@ class Statics {
     Mat6 compliance;                    ///< (d, theta) per (f, m) at the reference point
     std::array<Eigen::Matrix3Xd, 6> u;  ///< m per N or per N m
   };
+  /// Throws std::domain_error where the interior's stiffness is not positive definite.
   Linear linear();
 
  private:
-  void factorize(const Eigen::SparseMatrix<double>& K);
-
   const Solid& solid_;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
-  bool analyzed_ = false;
+  Cholesky cholesky_;
 };
 
 }  // namespace halfway::reference::fe

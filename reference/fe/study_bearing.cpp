@@ -47,8 +47,6 @@ Body body_of(const std::string& name, const Bearing& bearing) {
   body.title = "Bearing of Table 4, fitted: " + name;
   body.material = kBearingMaterial;
   body.face = {0, -bearing.outer, 0};  // the outer pole: the joint point is printed from there
-  body.axis = {0, 1, 0};
-  body.planes = {0, 1};
   body.mesh = [bearing](ElementKind element, int level) {
     return bearing_mesh(element, bearing, bearing_divisions(bearing, level), kGrading);
   };

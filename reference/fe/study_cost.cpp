@@ -1,4 +1,5 @@
-// What the 3D truth costs: full Newton solves over meshes, and CalculiX on the same meshes.
+// What the 3D truth costs: nonlinear solves (Newton, factors kept while they gain a digit) over meshes, and
+// CalculiX on the same meshes.
 #include "reference/fe/calculix.hpp"
 #include "reference/fe/study_makers.hpp"
 
@@ -83,7 +84,7 @@ Study over_levels(const std::string& name, const std::string& what, const std::v
 }  // namespace
 
 Study newton_cost_study() {
-  return over_levels("cost_newton", "Time and memory of a full Newton solve, parallelepiped, hex20",
+  return over_levels("cost_newton", "Time and memory of a nonlinear solve, parallelepiped, hex20",
                      kNewtonLevels, newton);
 }
 

@@ -32,7 +32,7 @@ Study bearing_study();
 /// std::runtime_error while the study is not kept.
 Body fitted_bearing();
 
-/// Full Newton solves over meshes: time and memory.
+/// Nonlinear solves over meshes (Newton, factors kept while they gain a digit): time and memory.
 Study newton_cost_study();
 /// CalculiX on the same meshes: xi and time.
 Study calculix_study();

@@ -1,9 +1,9 @@
 #include "reports/cli/eval_law.hpp"
 
+#include "reference/spectrum.hpp"
 #include "reports/cli/suggest.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -35,10 +35,8 @@ void check_stiffness(const Eigen::MatrixXd& K, const Field& field) {
                                 i, j, K(i, j), K(j, i), kRounding),
                     field.path);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(S, Eigen::EigenvaluesOnly);
-  const double smallest = solver.eigenvalues().minCoeff();
-  const double limit = kRounding * solver.eigenvalues().cwiseAbs().maxCoeff();
-  if (!(smallest >= -limit)) {
+  const auto [smallest, largest] = reference::spectrum(S);
+  if (!(smallest >= -kRounding * largest)) {
     throw EvalError(
         "indefinite_stiffness",
         fmt::format("K is indefinite: smallest eigenvalue {:.6g} of K scaled to a largest diagonal "

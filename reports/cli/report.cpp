@@ -1,9 +1,11 @@
 // halfway report: verifies, solves the scenes, times, and writes the page and its data.
+#include "bench/methods/skipped.hpp"
 #include "bench/timing.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/writers/paper.hpp"
 #include "reports/writers/solids.hpp"
+#include "reports/writers/speed.hpp"
 #include "reports/writers/writers.hpp"
 #include "verify/check.hpp"
 
@@ -88,6 +90,8 @@ void time_all(const ReportOptions& options, Results& results) {
   for (const auto& timing : results.timings) {
     if (timing.wrong) results.left_out.push_back({timing.name, "not timed: " + timing.message});
   }
+  for (const auto& [what, reason] : bench::skipped()) results.left_out.push_back({what, reason});
+  results.speed = speed_record(results);
 }
 
 int count(const Results& results, reference::Verdict verdict) {

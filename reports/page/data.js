@@ -1,5 +1,6 @@
 // The results with the look-ups that several sections need.
 import {isNumber, short} from './format.js';
+import {isAnalytic, isPlain, withDefaults} from './speed_data.js';
 
 export const KINDS = [
   {key: 'angular', label: 'angular'},
@@ -31,13 +32,21 @@ export class Results {
     }
     Object.assign(this, json);
     this.byName = new Map(this.findings.map((f) => [f.name, f]));
-    this.timed = new Map(this.timings.map((t) => [`${t.formulation}/${t.kind}/${t.what}`, t]));
+    this.timings = this.timings.map(withDefaults);
+    const timed = (implementation, method) => new Map(this.timings.filter((t) => t.implementation === implementation && isPlain(t) && method(t))
+      .map((t) => [`${t.formulation}/${t.kind}/${t.what}`, t]));
+    this.timed = timed('reference', (t) => t.method === '');
+    this.kernels = timed('kernel', isAnalytic);
     this.infos = new Map(this.formulations.map((f) => [f.name, f]));
   }
 
   finding(...parts) { return this.byName.get(parts.join('/')); }
 
+  /** The readable transcription's time. */
   timing(formulation, kind, what) { return this.timed.get(`${formulation}/${kind}/${what}`); }
+
+  /** The time of what a user would plug in: the kernel, or the reference where there is no kernel. */
+  preferred(formulation, kind, what) { return this.kernels.get(`${formulation}/${kind}/${what}`) ?? this.timing(formulation, kind, what); }
 
   count(verdict) { return this.findings.filter((f) => f.verdict === verdict).length; }
 
@@ -61,17 +70,17 @@ export class Results {
   }
 
   /** One point per formulation and kind; `missing` says why a point cannot be drawn. solid: {body, group} for the error 'solids'. */
-  accuracy(what, error, solid) {
+  accuracy(what, error, solid, implementation = 'kernel') {
     const points = [];
     const missing = [];
     for (const {name, stands_for, needs_xi, probe_xi} of this.formulations) {
       for (const {key: kind} of KINDS) {
-        const timing = this.timing(name, kind, what);
+        const timing = implementation === 'kernel' ? this.preferred(name, kind, what) : this.timing(name, kind, what);
         const measured = error === 'numerical' ? this.numerical(timing) : error === 'solids' ? this.solidError(name, kind, solid) : this.modelling(name, kind);
         const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !(timing?.ns > 0) ? 'not timed' : measured.reason;
         if (reason) { missing.push({name, kind, reason}); continue; }
         const floored = !(measured.value > measured.floor);
-        points.push({formulation: name, label: needs_xi && error !== 'solids' ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), ns: timing.ns, spread: timing.spread,
+        points.push({formulation: name, label: needs_xi && error !== 'solids' ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), implementation: timing.implementation, ns: timing.ns, spread: timing.spread,
                      error: Math.max(measured.value, measured.floor), value: measured.value, floor: measured.floor, floored,
                      note: measured.note, truth: measured.truth});
       }

@@ -17,6 +17,7 @@ const PATHS = {
   circle: 'M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0',
   square: 'M-4.4,-4.4h8.8v8.8h-8.8z',
   'triangle-up': 'M0,-5.4L5.4,4.2H-5.4z',
+  'triangle-right': 'M5.4,0L-4.2,5.4V-5.4z',
   'triangle-down': 'M0,5.4L5.4,-4.2H-5.4z',
   diamond: 'M0,-5.8L5.8,0L0,5.8L-5.8,0z',
   cross: 'M-5.5,-1.9h3.6v-3.6h3.8v3.6h3.6v3.8h-3.6v3.6h-3.8v-3.6h-3.6z'
@@ -63,6 +64,35 @@ export function choice(label, options, initial, changed) {
   const name = `choice-${++radioGroups}`;
   return h('fieldset', {class: 'choice'}, h('legend', {}, label), options.map(({key, label: text}) =>
     h('label', {}, h('input', {type: 'radio', name, value: key, checked: key === initial, onchange: () => changed(key)}), h('span', {}, text))));
+}
+
+/** One choice of many. */
+export function select(label, options, initial, changed) {
+  return h('label', {class: 'select'}, h('span', {}, label), h('select', {onchange: (e) => changed(e.target.value)},
+    options.map(({key, label: text}) => h('option', {value: key, selected: key === initial}, text))));
+}
+
+/** Legend buttons, of which one or none is pressed: changed(key), or changed(null) after a second click. */
+export function isolate(label, items, changed) {
+  let chosen = null;
+  const buttons = items.map((item) => h('button', {type: 'button', class: 'toggle isolate', 'aria-pressed': 'false', title: item.title, onclick: () => press(item.key)}, item.swatch ?? '', item.label));
+  const press = (key) => {
+    chosen = chosen === key ? null : key;
+    buttons.forEach((b, i) => b.setAttribute('aria-pressed', String(items[i].key === chosen)));
+    box.classList.toggle('isolating', chosen !== null);
+    changed(chosen);
+  };
+  const box = h('div', {class: 'toggles', role: 'group', 'aria-label': label}, buttons);
+  const folds = items.length > 8 && window.matchMedia('(max-width: 640px)').matches;  // else the chart is a screen away
+  return folds ? h('details', {class: 'more'}, h('summary', {}, `${label} (${items.length})`), box) : box;
+}
+
+/** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row. */
+export function plainTable(label, columns, rows, caption) {
+  const cell = (content, i) => h(i ? 'td' : 'th', {scope: i ? null : 'row', class: columns[i].number ? 'number' : null}, content);
+  return scrolling(h('table', {class: 'compact narrow'}, caption ? h('caption', {}, caption) : null,
+    h('thead', {}, h('tr', {}, columns.map((c) => h('th', {scope: 'col', class: c.number ? 'number' : null}, c.text)))),
+    h('tbody', {}, rows.map((r) => h('tr', {class: r.class}, (r.cells ?? r).map(cell))))), label);
 }
 
 /** A table that scrolls sideways by itself on narrow screens. */

@@ -14,6 +14,7 @@ import {propertyMatrix} from './sections/matrix.js';
 import {provenance} from './sections/provenance.js';
 import {reading} from './sections/reading.js';
 import {solidsSection} from './sections/solids.js';
+import {speedSection} from './sections/speed.js';
 import {table1} from './sections/table1.js';
 
 const THETA = {theta_x: 'θ₁', theta_y: 'θ₂', theta_z: 'θ₃'};
@@ -36,7 +37,7 @@ const FIGURES = [
    caption: 'Quadratic in the force; the paper fits its finite elements by ξ = −0.435917.'}
 ];
 
-const NAV = [['accuracy', 'Accuracy'], ['formulations', 'Formulations'], ['table1', 'Table 1'], ['figures', 'Figures'], ['solids', '3D truth'], ['properties', 'Properties'],
+const NAV = [['accuracy', 'Accuracy'], ['formulations', 'Formulations'], ['speed', 'Speed'], ['table1', 'Table 1'], ['figures', 'Figures'], ['solids', '3D truth'], ['properties', 'Properties'],
   ['findings', 'Findings'], ['left-out', 'Left out'], ['reading', 'Reading'], ['provenance', 'Source']];
 
 function build(results, raw) {
@@ -51,7 +52,7 @@ function build(results, raw) {
   document.getElementById('main').append(
     headline(results, kind),
     h('div', {class: 'first'}, accuracyFigure(results, kind), formulationsTable(results)),
-    table1(results),
+    speedSection(results, kind), table1(results),
     h('section', {'aria-labelledby': 'figures'}, h('h2', {id: 'figures'}, 'The paper’s figures, computed again'), h('div', {class: 'figures'}, figures, bucklingFigure(results), loopWorkFigure(results))),
     solidsSection(results), propertyMatrix(results), findingsTable(results), leftOut(results), reading(), provenance(results, raw));
 }

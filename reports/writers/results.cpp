@@ -30,11 +30,29 @@ static void to_json(nlohmann::json& json, const Context& context) {
           {"commit", context.commit},   {"date", context.date},         {"build_type", context.build_type}};
 }
 
+static void to_json(nlohmann::json& json, const ErrorAt& at) {
+  json = {{"from", at.from}, {"to", at.to}, {"error", at.error}};
+}
+
 static void to_json(nlohmann::json& json, const Timing& timing) {
-  json = {{"name", timing.name},      {"formulation", timing.formulation},
-          {"kind", timing.kind},      {"what", timing.what},
-          {"ns", timing.ns},          {"spread", timing.spread},
-          {"error", timing.error},    {"wrong", timing.wrong},
+  json = {{"name", timing.name},
+          {"formulation", timing.formulation},
+          {"kind", timing.kind},
+          {"what", timing.what},
+          {"implementation", timing.implementation},
+          {"precision", timing.precision},
+          {"isa", timing.isa},
+          {"variant", timing.variant},
+          {"method", timing.method},
+          {"joints", timing.joints},
+          {"threads", timing.threads},
+          {"ns", timing.ns},
+          {"spread", timing.spread},
+          {"error", timing.error},
+          {"errors", timing.errors},
+          {"flops", timing.flops},
+          {"bytes", timing.bytes},
+          {"wrong", timing.wrong},
           {"message", timing.message}};
   if (timing.wrong) json["ns"] = nullptr;  // a wrong result has no speed
 }
@@ -114,6 +132,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"left_out", results.left_out},
           {"paper", results.paper},
           {"solids", results.solids},
+          {"speed", results.speed},
           {"durations", results.durations}};
 }
 

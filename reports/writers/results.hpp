@@ -52,6 +52,7 @@ struct Results {
   std::vector<LeftOut> left_out;
   nlohmann::json paper = nlohmann::json::object();   ///< printed tables and others' curves, see SCHEMA.md
   nlohmann::json solids = nlohmann::json::object();  ///< the 3D truth, see SCHEMA.md
+  nlohmann::json speed = nlohmann::json::object();   ///< limits, targets and choices, see SCHEMA.md
   std::map<std::string, double> durations;           ///< stage of the run -> wall time, s
 };
 

@@ -41,7 +41,8 @@ const bench::Timing* find_timing(const Results& results, const std::string& form
                                  const std::string& kind, const std::string& what) {
   const auto found =
       std::find_if(results.timings.begin(), results.timings.end(), [&](const bench::Timing& timing) {
-        return timing.formulation == formulation && timing.kind == kind && timing.what == what;
+        return timing.implementation == "reference" && timing.formulation == formulation &&
+               timing.kind == kind && timing.what == what;
       });
   return found == results.timings.end() ? nullptr : &*found;
 }

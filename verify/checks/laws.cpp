@@ -2,6 +2,8 @@
 #include "formulations/systems/intrinsic.hpp"
 #include "verify/property.hpp"
 
+#include <fmt/format.h>
+
 namespace halfway::verify {
 namespace {
 
@@ -69,7 +71,7 @@ Finding scalar(const char* name) {
   const Vec3<double> m = loads<false>(joint, Pose<T>{}, b).m_b.template cast<double>();
   const Vec3<double> expected = loads<false>(joint_double, Pose<double>{}, b_double).m_b;
   Finding f;
-  f.name = std::string("laws/scalar/") + name;
+  f.name = fmt::format("laws/scalar/{}", name);
   f.subject = "laws";
   f.unit = "relative";
   f.value = (m - expected).norm() / expected.norm();

@@ -1,7 +1,7 @@
 // Wrong twins that a named measurement must see: a suite that lets one live would prove nothing.
-#include "verify/findings.hpp"
 #include "verify/mutants/forms.hpp"
 #include "verify/mutants/functions.hpp"
+#include "verify/mutants/verdicts.hpp"
 #include "verify/twins.hpp"
 
 #include <fmt/format.h>
@@ -11,41 +11,11 @@ namespace {
 
 namespace m = wrong;
 
-/// A mutant is caught when its defect exceeds the limit that the healthy twin keeps 100 times over.
-constexpr double kMargin = 100;
-
-using Measure = std::function<Measurement(const JointUnderTest&)>;
-
-std::vector<Finding> verdicts(const std::string& name, const std::string& measure, const Measurement& mutant,
-                              const Measurement& healthy, double limit) {
-  Finding seen = at_most(
-      name, "mutants", mutant, 1, "of the defect", Oracle::independent,
-      fmt::format("{} must show the mutant {} times beyond its limit of {:.3g}; shown: 1 = just seen, "
-                  "smaller = seen more clearly",
-                  measure, kMargin, limit));
-  seen.value = mutant.value > 0 ? kMargin * limit / mutant.value : HUGE_VAL;
-  // A function that returns NaN where it should not is seen as well.
-  if (std::isnan(mutant.value)) seen.value = 0;
-  seen.parameter = fmt::format("{} = {:.3g} at {}", measure, mutant.value, mutant.where);
-  return {reference::judged(seen),
-          at_most(name + "/healthy", "mutants", healthy, limit, "", Oracle::independent,
-                  "the limit of " + measure + " for the twin without the mistake")};
-}
-
-void add(Checks& checks, const char* name, const char* measure, double limit,
-         std::function<std::pair<Measurement, Measurement>()> run) {
-  const std::string full = fmt::format("mutants/{}", name);
-  checks.push_back({full, "mutants", [=]() -> std::vector<Finding> {
-                      const auto [mutant, healthy] = run();
-                      return verdicts(full, measure, mutant, healthy, limit);
-                    }});
-}
-
 /// A joint measured on generic probes of `kind` in frame xi.
 template <class Mutant, class Right>
 void add_joint(Checks& checks, const char* name, const char* measure, Kind kind, double xi,
                Measurement (*of_probes)(const JointUnderTest&, const std::vector<Probe>&)) {
-  add(checks, name, measure, kRounding, [=] {
+  add_mutant(checks, name, measure, kRounding, [=] {
     const Entry* entry = reference::find_formulation("invariant");
     std::vector<Probe> set = entry ? probes(*entry, kind, 4, 1.2) : std::vector<Probe>{};
     for (Probe& probe : set) probe.spec.xi = xi;
@@ -62,7 +32,7 @@ void add_projected(Checks& checks, const char* name, const char* measure, Kind k
 /// A function of a rotation in double, in eps; 4 is the contract of so3.hpp.
 template <class Mutant, class Right>
 void add_function(Checks& checks, const char* name, const char* measure) {
-  add(checks, name, measure, 4, [] {
+  add_mutant(checks, name, measure, 4, [] {
     return std::pair{function_error<double, Mutant>(Scale::largest_entry),
                      function_error<double, Right>(Scale::largest_entry)};
   });
@@ -80,7 +50,7 @@ Measurement fingerprint_defect(double xi) {
 
 template <class Parts>
 void add_fingerprint(Checks& checks, const char* name, double xi) {
-  add(checks, name, "second_order_fingerprint", 1e-12, [=] {
+  add_mutant(checks, name, "second_order_fingerprint", 1e-12, [=] {
     return std::pair{fingerprint_defect<m::Projected<Parts>>(xi),
                      fingerprint_defect<m::Projected<m::Healthy>>(xi)};
   });
@@ -128,7 +98,7 @@ void mutants(Checks& checks) {
   add_function<m::GammaLateThreshold, m::Gamma>(checks, "gamma_late_threshold", "so3/gamma/double");
   add_function<m::GammaSeriesSign, m::Gamma>(checks, "gamma_series_sign", "so3/gamma/double");
   add_function<m::LogBySine, m::Log>(checks, "log_by_sine_near_pi", "so3/log_matrix/double");
-  add(checks, "euler_321_for_312", "recomposition of the angles", 1e-45, [] {
+  add_mutant(checks, "euler_321_for_312", "recomposition of the angles", 1e-45, [] {
     return std::pair{euler_312_recomposed<2, 1, 0>(), euler_312_recomposed<2, 0, 1>()};
   });
 }

@@ -5,26 +5,15 @@ import {choice, h, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
 import {bodyLabel, GROUPS} from '../solids_data.js';
+import {withLabels} from './labels.js';
 
 const WHAT = [{key: 'residual', label: 'residual'}, {key: 'residual_tangent', label: 'residual + tangent'}];
+const IMPLEMENTATION = [{key: 'kernel', label: 'kernel'}, {key: 'reference', label: 'reference'}];
 const ERROR = [{key: 'modelling', label: 'modelling'}, {key: 'numerical', label: 'numerical'}];
 const X_TITLE = {residual: 'time per residual, ns (less is faster)', residual_tangent: 'time per residual + tangent, ns (less is faster)'};
 const Y_TITLE = {modelling: 'modelling error, relative (less is truer)', numerical: 'numerical error, relative (less is truer)',
                  solids: 'error of second-order couplings, relative (less is truer)'};
 const KINDS_ORDER = KINDS.map((k) => k.key);
-
-/** Puts the names beside the points where there is room; the label transform is Vega's, not Vega-Lite's. */
-function withLabels(spec) {
-  const group = spec.marks.find((m) => m.name === 'points_marks') ? spec : null;
-  if (!group) throw new Error('accuracy chart: the point layer is missing');
-  group.marks.push({
-    type: 'text', interactive: false, from: {data: 'points_marks'},
-    encode: {enter: {text: {field: 'datum.label'}, fontSize: {value: isNarrow() ? 11 : 12}, fill: {value: 'var(--ink)'}}},
-    transform: [{type: 'label', size: {signal: '[max(1, width), max(1, height)]'}, avoidMarks: ['points_marks', 'front_pathgroup'],
-                 anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'], offset: [5]}]
-  });
-  return spec;
-}
 
 function spec(points, what, error) {
   const fronts = KINDS_ORDER.flatMap((kind) => front(points.filter((p) => p.kind === kind)));
@@ -47,18 +36,20 @@ function spec(points, what, error) {
                   fill: {condition: {test: 'datum.floored', value: 'var(--paper)'}, field: 'formulation', type: 'nominal', legend: null,
                          scale: {domain: names, range: names.map((n) => look(n).color)}},
                   tooltip: [{field: 'formulation', title: 'formulation'}, {field: 'stands_for', title: 'stands for'},
-                            {field: 'kind_label', title: 'kind'}, {field: 'shown_time', title: 'time'},
+                            {field: 'kind_label', title: 'kind'}, {field: 'implementation'}, {field: 'shown_time', title: 'time'},
                             {field: 'shown_value', title: 'error'}, {field: 'floor', title: 'known to', format: '.2g'},
                             {field: 'front', title: 'on the front'}, {field: 'note', title: 'measured'}]}}
     ]
   };
 }
 
-function footnote(points, missing, error) {
+function footnote(points, missing, error, implementation) {
   const floored = points.filter((p) => p.floored);
   const what = error === 'numerical' ? 'half a unit of rounding' : 'the uncertainty of the truth itself';
   const names = (list) => [...new Set(list.map((m) => m.name ?? m.formulation))].join(', ');
+  const slow = implementation === 'kernel' ? points.filter((p) => p.implementation !== 'kernel') : [];
   return [
+    slow.length && slow.length < points.length ? `No kernel, time of the reference: ${names(slow)}. ` : '',
     'Dashed: Pareto front of each kind; no point of that kind is both faster and truer than one on it. ',
     floored.length ? `Hollow: the error is below ${what} and is drawn at that floor (${names(floored)}). ` : '',
     points.length ? `Truth: ${[...new Set(points.map((p) => p.truth))].join('; ')}. ` : '',
@@ -69,19 +60,20 @@ function footnote(points, missing, error) {
 /** The figure; `kind` is the kind shown first. */
 export function accuracyFigure(results, kind) {
   const views = results.solidViews();
-  const state = {what: 'residual', error: 'modelling', kinds: new Set([kind]), solid: {body: views.bodies[0], group: views.groups[0]}};
+  const state = {what: 'residual', error: 'modelling', kinds: new Set([kind]), implementation: results.kernels.size ? 'kernel' : 'reference',
+                 solid: {body: views.bodies[0], group: views.groups[0]}};
   if (results.accuracy('residual', 'modelling').points.length === 0) state.error = 'numerical';
   const chart = new Chart('accuracy', 'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table beside it holds the same numbers.');
   const note = h('figcaption', {'aria-live': 'polite'});
 
   const draw = () => {
-    const {points, missing} = results.accuracy(state.what, state.error, state.solid);
+    const {points, missing} = results.accuracy(state.what, state.error, state.solid, state.implementation);
     const solid = state.error === 'solids';
     const kinds = solid ? new Set(['linear_angular']) : state.kinds;  // the only kind that a body with forces and moments has
     const shown = points.filter((p) => kinds.has(p.kind));
     legend.hidden = solid;
     solidChoice.hidden = !solid;
-    note.replaceChildren(...footnote(shown, missing.filter((m) => kinds.has(m.kind)), state.error).filter(Boolean));
+    note.replaceChildren(...footnote(shown, missing.filter((m) => kinds.has(m.kind)), state.error, state.implementation).filter(Boolean));
     if (shown.length) chart.draw(spec(shown, state.what, state.error), withLabels);
     else chart.empty('no formulation has both a time and an error for this choice.');
   };
@@ -93,6 +85,7 @@ export function accuracyFigure(results, kind) {
   const errors = views.bodies.length ? [...ERROR, {key: 'solids', label: '3D bodies'}] : ERROR;
   const controls = h('div', {class: 'controls'}, legend,
     choice('Time of', WHAT, state.what, (key) => { state.what = key; draw(); }),
+    results.kernels.size ? choice('Implementation', IMPLEMENTATION, state.implementation, (key) => { state.implementation = key; draw(); }) : null,
     choice('Error', errors, state.error, (key) => { state.error = key; draw(); }), solidChoice);
   draw();
   return h('figure', {class: 'main-chart'}, h('h2', {id: 'accuracy'}, 'Accuracy against speed'), controls, chart.box, note);

@@ -100,5 +100,5 @@ export function curvesFigure(results, {id, scene, title, load, panels, caption})
   draw();
   return h('figure', {id}, h('h3', {}, title), legend, h('div', {class: panels.length > 1 ? 'panels' : ''}, charts.map((c) => c.box)),
     h('figcaption', {}, caption, sources.length ? ` Diamonds: ${sources.join('; ')}.` : '',
-      solid.length ? [' Open marks without colour: our own 3D finite elements, full Newton; see ', h('a', {href: '#solids'}, 'Three-dimensional truth'), '.'] : ''), endings(curves, name));
+      solid.length ? [' Open marks without colour: our own 3D finite elements, geometrically nonlinear; see ', h('a', {href: '#solids'}, 'Three-dimensional truth'), '.'] : ''), endings(curves, name));
 }

@@ -24,5 +24,5 @@ export function newtonFigure(solids) {
   charts.forEach((chart, i) => (rows.length ? chart.draw(spec(rows, PANELS[i])) : chart.empty('no cost of a nonlinear solve in the results (solids.newton).')));
   const most = rows.length ? rows.reduce((a, b) => (b.unknowns > a.unknowns ? b : a)) : null;
   return figure('What a nonlinear solve costs', null, h('div', {class: 'panels two'}, charts.map((c) => c.box)),
-    most ? `Full Newton, from the unloaded body. The largest, ${most.series}: ${most.unknowns.toLocaleString('en')} unknowns, ${most.iterations} Newton steps, ${seconds(most.seconds)}, ${short(most.megabytes, 4)} MB.` : null);
+    most ? `Newton from the unloaded body; a factorization is kept while each of its steps gains a digit. The largest, ${most.series}: ${most.unknowns.toLocaleString('en')} unknowns, ${most.iterations} Newton steps, ${seconds(most.seconds)}, ${short(most.megabytes, 4)} MB.` : null);
 }

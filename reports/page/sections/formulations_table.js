@@ -14,10 +14,10 @@ function errorCell(results, name, kind) {
 }
 
 function timeCell(results, name, kind) {
-  const timing = results.timing(name, kind, 'residual');
+  const timing = results.preferred(name, kind, 'residual');
   if (!timing) return h('td', {class: 'number none', title: 'not timed'}, '–');
   if (timing.wrong) return h('td', {class: 'number fail', title: timing.message}, 'wrong');
-  return h('td', {class: 'number', title: `spread ${short(100 * timing.spread, 1)} %`}, nanoseconds(timing.ns));
+  return h('td', {class: 'number', title: `${timing.implementation}, spread ${short(100 * timing.spread, 1)} %`}, nanoseconds(timing.ns));
 }
 
 /** Yes, or no with the kinds that fail and their values; over all kinds that were measured. */
@@ -44,5 +44,5 @@ export function formulationsTable(results) {
     propertyCell(results, f.name, 'node_order'), propertyCell(results, f.name, 'loop_work'), propertyCell(results, f.name, 'moment_balance'))));
   return h('section', {class: 'formulations', 'aria-labelledby': 'formulations'}, h('h2', {id: 'formulations'}, 'The formulations'),
     scrolling(h('table', {class: 'compact'}, head, body), 'Table of formulations'),
-    h('p', {class: 'note'}, '≈: measured, known and held in a band. <: below the uncertainty of the truth. l/a: linear/angular. –: not measured; the reason is under ', h('a', {href: '#left-out'}, 'Failed or left out'), '.'));
+    h('p', {class: 'note'}, results.kernels.size ? 'Times are the kernel’s, or the reference’s where there is no kernel. ' : '', '≈: measured, known and held in a band. <: below the uncertainty of the truth. l/a: linear/angular. –: not measured; the reason is under ', h('a', {href: '#left-out'}, 'Failed or left out'), '.'));
 }

@@ -22,7 +22,7 @@ function answer(results, kind) {
   const fastest = points.reduce((a, b) => (b.ns < a.ns ? b : a));
   const best = truest[0];
   const also = truest.slice(1).map((p) => p.formulation);
-  const sentence = [`As ${kind === 'angular' ? 'an' : 'a'} ${kindLabel(kind)} joint, `, code(best.formulation), ` comes closest to the truth: ${error(best)}, at ${nanoseconds(best.ns)} ns per residual. `];
+  const sentence = [`As ${kind === 'angular' ? 'an' : 'a'} ${kindLabel(kind)} joint, `, code(best.formulation), ` comes closest to the truth: ${error(best)}, at ${nanoseconds(best.ns)} ns per residual${best.implementation === 'kernel' ? ' of its kernel' : ''}. `];
   if (also.length) sentence.push('No worse: ', ...list(also), '. ');
   if (fastest.formulation === best.formulation) return [...sentence, 'It is also the fastest.'];
   const times = fastest.error / best.error;

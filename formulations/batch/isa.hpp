@@ -1,0 +1,21 @@
+// The instruction sets that a batch can use.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace halfway::batch {
+
+enum class Isa { sse2, avx2, avx512 };
+
+/// sse2 is what every x86-64 has, and elsewhere means the compiler's own vectors.
+const char* to_string(Isa isa);
+
+/// Has this machine that set?
+bool available(Isa isa);
+
+/// `wanted`, or what HALFWAY_ISA names, or the widest here. Throws std::invalid_argument that names the
+/// set where the machine lacks it, or a value that names none.
+Isa choose(std::optional<Isa> wanted);
+
+}  // namespace halfway::batch

@@ -1,0 +1,60 @@
+// What the units of the instruction sets see of a batch: plain pointers and numbers, and what they
+// give back: plain functions. No standard header.
+#pragma once
+
+namespace halfway::batch {
+
+/// A table of numbers, one row of joints per component: component c of joint i at first[c * stride + i].
+/// Rows that begin at the same place in a page fight for the same few lines of the cache: a stride
+/// that is an odd number of cache lines is the quickest (padded_stride).
+template <class T>
+struct Columns {
+  T* first = nullptr;
+  long stride = 0;
+  long size = 0;  ///< numbers that the array holds; read by validate() alone
+};
+
+/// Joint point o (m, node axes) and joint frame H (unit quaternion w, x, y, z, joint -> node axes).
+template <class T>
+struct End {
+  T o[3]{0, 0, 0};
+  T H[4]{1, 0, 0, 0};
+};
+
+namespace detail {
+
+/// One call of a kernel: joints 0 .. count, a multiple of the pack's lanes.
+template <class T>
+struct Job {
+  long count = 0;
+  Columns<const T> q_a, q_b, x_a, x_b, law, direction;
+  long law_step = 0;  ///< joints' law numbers follow one another: 1; shared, one pack of copies: 0
+  bool polynomial = false;
+  const End<T>*a = nullptr, *b = nullptr;  ///< both or none
+  double xi = 0.5;
+  Columns<T> loads, tangent;
+  bool all_entries = false;  ///< 144 numbers instead of 81
+  bool past_caches = false;  ///< streaming stores
+};
+
+template <class T>
+using Evaluate = void (*)(const Job<T>&);
+
+/// nullptr: not built. Joints without ends and with a linear law, the most frequent, may have lean code:
+/// a choice made once a pack, however well predicted, has its results pass through memory (measured:
+/// up to twice the time of a residual).
+template <class T>
+struct Functions {
+  Evaluate<T> residual = nullptr, tangent = nullptr, lean_residual = nullptr, lean_tangent = nullptr,
+              product = nullptr;
+};
+
+/// One formulation in one instruction set, by kind. Constant data: asking for it runs no instruction
+/// of that set.
+struct Unit {
+  Functions<double> in_double[3];
+  Functions<float> in_float[3];
+};
+
+}  // namespace detail
+}  // namespace halfway::batch

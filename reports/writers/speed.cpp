@@ -1,0 +1,49 @@
+#include "reports/writers/speed.hpp"
+
+#include "bench/bandwidth.hpp"
+#include "bench/instructions.hpp"
+#include "bench/published.hpp"
+#include "reports/writers/cheapest.hpp"
+
+#include <cmath>
+
+namespace halfway::bench {
+
+static void to_json(nlohmann::json& json, const Peak& p) {
+  json = {{"isa", p.isa}, {"precision", p.precision}, {"flops_per_ns", p.flops_per_ns}};
+}
+static void to_json(nlohmann::json& json, const Bandwidth& b) {
+  json = {{"what", b.what}, {"bytes_per_ns", b.bytes_per_ns}};
+}
+static void to_json(nlohmann::json& json, const Published& p) {
+  json = {{"program", p.program}, {"version", p.version}, {"what", p.what},    {"ns", p.ns},
+          {"machine", p.machine}, {"date", p.date},       {"source", p.source}};
+}
+static void to_json(nlohmann::json& json, const InstructionCount& c) {
+  json = {{"name", c.name}, {"instructions", c.instructions}};
+}
+
+}  // namespace halfway::bench
+
+namespace halfway::reports {
+
+static void to_json(nlohmann::json& json, const Target& t) {
+  json = {{"name", t.name},
+          {"value", t.value},
+          {"limit", t.limit},
+          {"comparison", t.at_least ? "at_least" : "at_most"},
+          {"met", std::isfinite(t.value) && t.met()},
+          {"note", t.note}};
+}
+
+nlohmann::json speed_record(const Results& results) {
+  const bench::Peaks peaks = bench::measured_peaks();
+  return {{"peaks", peaks},
+          {"bandwidth", bench::measured_bandwidths()},
+          {"targets", speed_targets(results.timings, peaks)},
+          {"published", bench::published()},
+          {"cheapest", cheapest(results)},
+          {"instructions", bench::kept_instructions()}};
+}
+
+}  // namespace halfway::reports
