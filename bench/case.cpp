@@ -38,7 +38,8 @@ void register_all() {
   static bool registered = false;
   if (std::exchange(registered, true)) return;
   for (const Case& c : all_cases()) {
-    auto* const b = benchmark::RegisterBenchmark(c.name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
+    auto* const b =
+        benchmark::RegisterBenchmark(c.name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
     if (c.wall_time) b->UseRealTime();
   }
 }

@@ -28,7 +28,8 @@ struct ErrorAt {
 };
 
 struct Timing : Label {
-  double ns = 0;      ///< CPU time (wall time of several threads) per evaluation (per solve for equilibria), median of repetitions
+  double ns = 0;      ///< CPU time (wall time of several threads) per evaluation (per solve for equilibria),
+                      ///< median of repetitions
   double spread = 0;  ///< coefficient of variation of the repetitions
   double error = 0;   ///< worst error against 50 digits over the timed poses, relative to |K||strain|
   std::vector<ErrorAt> errors;  ///< the same by decade of phi, where the case measures it

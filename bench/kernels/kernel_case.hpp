@@ -8,6 +8,10 @@
 
 namespace halfway::bench {
 
+/// Counted in units of their own, kernel_flops.hpp.
+template <class F, Kind kind, bool with_tangent, class Accuracy = kernel::Accuracy<>>
+double kernel_flops(const Inputs& in);
+
 template <Kind kind>
 constexpr int load_count() {
   return kind == Kind::angular ? 3 : 12;

@@ -5,10 +5,6 @@
 
 namespace halfway::bench {
 
-/// Counted in units of their own, kernel_flops.hpp.
-template <class F, Kind kind, bool with_tangent, class Accuracy = kernel::Accuracy<>>
-double kernel_flops(const Inputs& in);
-
 template <class F>
 Cases kernel_cases() {
   Cases cases;

@@ -23,16 +23,21 @@ void add(Cases& cases, const Shared& in, const std::string& variant, const Toler
   cases.push_back(kernel_case<F, kind, true, T, Accuracy, E>(in, variant, tolerance));
 }
 
+/// The invariant angular joint with another angle.
 template <class Angle>
-using With = kernel::Accuracy<Angle>;
+void add_angle(Cases& cases, const Shared& in, const std::string& variant, double approximation) {
+  using With = kernel::Accuracy<Angle>;
+  add<Invariant, Kind::angular, double, With>(cases, in, variant, {.approximation = approximation});
+  cases.rbegin()[1].flops = kernel_flops<Invariant, Kind::angular, false, With>(*in);
+  cases.rbegin()[0].flops = kernel_flops<Invariant, Kind::angular, true, With>(*in);
+}
 
 /// Interpolated at Chebyshev points: the angle's relative error is about 5.8^-degree / 5 at any phi;
 /// its derivative in the tangent loses 2 degree^2 of it at the end of the interval, rarely more than 50.
 template <int degree>
 void add_polynomial(Cases& cases, const Shared& in) {
   const double error = std::pow(5.8, -degree) / 5;
-  add<Invariant, Kind::angular, double, With<kernel::PolynomialAngle<degree>>>(
-      cases, in, "log_" + std::to_string(degree), {.approximation = 50 * error});
+  add_angle<kernel::PolynomialAngle<degree>>(cases, in, "log_" + std::to_string(degree), 50 * error);
 }
 
 /// Terms at phi = 0: at the 3 rad of the timed poses the first term left out, which is at most
@@ -40,9 +45,8 @@ void add_polynomial(Cases& cases, const Shared& in) {
 template <int terms>
 void add_small(Cases& cases, const Shared& in) {
   const double u = std::pow(std::sin(3. / 4), 2);
-  add<Invariant, Kind::angular, double, With<kernel::SmallAngle<terms>>>(
-      cases, in, "order_" + std::to_string(terms),
-      {.approximation = 4 * std::pow(u, terms - 1) * (2. / 3) * u / (1 - u)});
+  const double rest = 2. / 3 * std::pow(u, terms) / (1 - u);
+  add_angle<kernel::SmallAngle<terms>>(cases, in, "order_" + std::to_string(terms), 4 * rest / u);
 }
 
 /// Joint points and frames at the nodes: fewer operations.

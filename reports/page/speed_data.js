@@ -32,7 +32,7 @@ export const MARKS = [{key: 'reference', label: 'reference', shape: 'circle'}, {
 export function markOf(t) {
   if (isCompetitor(t)) return 'competitor';
   if (!isAnalytic(t)) return 'method';
-  if (t.variant !== '') return 'variant';
+  if (t.variant !== '' && t.variant !== 'no_ends') return 'variant';  // joint points at the nodes: fewer operations, the same accuracy
   if (t.precision === 'float') return 'float';
   return MARKS.some((m) => m.key === t.implementation) ? t.implementation : 'kernel';
 }

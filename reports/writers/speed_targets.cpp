@@ -64,6 +64,7 @@ class Table {
                 .kind = kind,
                 .what = what,
                 .implementation = "batch",
+                .variant = "no_ends",
                 .isa = isa,
                 .joints = kInCache}),
          limit, true, ""});
@@ -75,6 +76,7 @@ class Table {
                                       .kind = kind,
                                       .what = what,
                                       .implementation = "batch",
+                                      .variant = "no_ends",
                                       .isa = isa,
                                       .joints = kInCache});
     const auto p = std::ranges::find_if(
@@ -90,6 +92,7 @@ class Table {
                    .kind = "angular",
                    .what = "residual_tangent",
                    .implementation = "batch",
+                   .variant = "no_ends",
                    .isa = best_isa(),
                    .joints = kMany,
                    .threads = 1};

@@ -12,8 +12,8 @@ const DASHES = {1: [1, 0], 2: [5, 3]};
 const hue = (output) => HUES[output] ?? OTHER[output.length % OTHER.length];
 const dash = (threads) => DASHES[threads] ?? [2, 3];
 const isCandidate = (t) => t.implementation === 'batch' && t.joints > 0 && usable(t);
-/** What comes out, and by which variant. */
-const outputOf = (t) => [t.what, t.variant].filter(Boolean).join(' ');
+/** What comes out, and by which variant; batches are timed with joint points and frames at the nodes. */
+const outputOf = (t) => [t.what, t.variant === 'no_ends' ? '' : t.variant || 'with_ends'].filter(Boolean).join(' ');
 const outputLabel = (key) => { const [what, ...variant] = key.split(' '); return [whatLabel(what), ...variant.map(variantLabel)].join(', '); };
 
 const seriesKey = (t) => [t.output, t.isa, t.threads].join('/');
@@ -59,10 +59,10 @@ function tableOf(timings) {
 /** Only what has been timed at several sizes makes a line. */
 function candidatesOf(results) {
   const all = results.timings.filter(isCandidate).map((t) => ({...t, output: outputOf(t), threads: t.threads || 1}));
-  const sizes = (t) => new Set(all.filter((o) => o.formulation === t.formulation && o.kind === t.kind && o.precision === t.precision).map((o) => o.joints)).size;
+  const sizes = (t) => new Set(all.filter((o) => o.formulation === t.formulation && o.kind === t.kind && o.precision === t.precision && o.output === t.output).map((o) => o.joints)).size;
   const several = new Map();
   return all.filter((t) => {
-    const key = [t.formulation, t.kind, t.precision].join('/');
+    const key = [t.formulation, t.kind, t.precision, t.output].join('/');
     if (!several.has(key)) several.set(key, sizes(t) > 1);
     return several.get(key);
   });

@@ -46,9 +46,10 @@ export function competitorsTable(results) {
 export function publishedTable(results) {
   const {published} = speedOf(results);
   if (!published.length) return part('published', 'Published figures', none('published figures (speed.published)'));
-  const columns = [{text: 'program'}, {text: 'of what'}, {text: 'ns', number: true}, {text: 'machine, date'}, {text: 'source'}];
-  return part('published', 'Published figures', plainTable('Published figures', columns, published.map((p) => [`${p.program} ${p.version ?? ''}`.trim(), p.what, nanoseconds(p.ns), `${p.machine}, ${p.date}`, p.source])),
-    h('p', {class: 'note'}, 'Constants from other machines and dates: they are never in a ratio of this run.'));
+  const columns = [{text: 'program'}, {text: 'of what'}, {text: 'ns', number: true}];
+  const origins = [...new Set(published.map((p) => `${p.machine}, ${p.date}: ${p.source}`))];
+  return part('published', 'Published figures', plainTable('Published figures', columns, published.map((p) => [`${p.program} ${p.version ?? ''}`.trim(), p.what, nanoseconds(p.ns)])),
+    h('p', {class: 'note'}, `Constants, never in a ratio of this run. ${origins.join('; ')}.`));
 }
 
 export function instructionsTable(results) {
