@@ -5,8 +5,9 @@
 
 namespace halfway::bench {
 
-#define HALFWAY_FLOPS(...)                                                                                   \
-  template double kernel_flops<Invariant, Kind::angular, false, kernel::Accuracy<__VA_ARGS__>>(const Inputs&); \
+#define HALFWAY_FLOPS(...)                                                                      \
+  template double kernel_flops<Invariant, Kind::angular, false, kernel::Accuracy<__VA_ARGS__>>( \
+      const Inputs&);                                                                           \
   template double kernel_flops<Invariant, Kind::angular, true, kernel::Accuracy<__VA_ARGS__>>(const Inputs&);
 HALFWAY_FLOPS(kernel::SmallAngle<1>)
 HALFWAY_FLOPS(kernel::SmallAngle<2>)
