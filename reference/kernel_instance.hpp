@@ -1,4 +1,4 @@
-// Makes the registry entry of one formulation's kernel; included only by the generated units.
+// The kernel joint of a spec, and the registry entry of one formulation's kernel.
 #pragma once
 
 #include "formulations/kernels/compensated.hpp"

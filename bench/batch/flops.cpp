@@ -1,12 +1,10 @@
-// Flops of one joint of a batch: those of its kernel, counted with the kernels' own cases; what they
-// spend on ends is the same for every formulation and counted once.
+// Flops of one joint of a batch: those of its kernel, with or without ends.
 #include "bench/batch/problem.hpp"
-#include "bench/kernels/kernel_joint.hpp"
+#include "bench/kernels/counted_flops.hpp"
 #include "formulations/systems/attached.hpp"
 #include "formulations/systems/intrinsic.hpp"
 #include "formulations/systems/jointc.hpp"
 #include "formulations/systems/potentials.hpp"
-#include "reference/counting.hpp"
 
 namespace halfway::bench {
 
@@ -15,30 +13,10 @@ double kernel_flops(const Inputs& in);
 
 namespace {
 
-/// Of an attached joint without ends.
-template <Kind kind, bool with_tangent>
-double without_ends(const Inputs& in) {
-  using reference::Counting;
-  const auto joint = static_kernel_joint<AttachedA, kind, Counting, kernel::NoEnds>(in.spec);
-  const auto cast = [](const reference::QuaternionPose<double>& p) {
-    return reference::plain(reference::QuaternionPose<Counting>{p.x.cast<Counting>(), p.q.cast<Counting>()});
-  };
-  const auto a = cast(in.qa.front()), b = cast(in.qb.front());
-  const auto operations = reference::counted([&] {
-    if constexpr (kind == Kind::angular)
-      (void)kernel::loads<with_tangent, kernel::Accuracy<>>(joint, a.q, b.q);
-    else
-      (void)kernel::loads<with_tangent, kernel::Accuracy<>>(joint, a, b);
-  });
-  return double(operations.flops());
-}
-
 template <class F, Kind kind, bool with_tangent>
 double count(const BatchProblem& p) {
-  const double with_ends = kernel_flops<F, kind, with_tangent>(*p.in);
-  if (p.ends) return with_ends;
-  return with_ends -
-         (kernel_flops<AttachedA, kind, with_tangent>(*p.in) - without_ends<kind, with_tangent>(*p.in));
+  if (p.ends) return kernel_flops<F, kind, with_tangent>(*p.in);
+  return counted_flops<F, kind, with_tangent, kernel::Accuracy<>, kernel::NoEnds>(*p.in);
 }
 
 template <class F, Kind kind>

@@ -1,32 +1,17 @@
-// Flops of a kernel, counted by running it; compiled in units that nobody times, like flops.hpp.
+// Flops of the kernel cases, with ends as those are timed.
 #pragma once
 
-#include "bench/kernels/kernel_joint.hpp"
-#include "reference/counting.hpp"
+#include "bench/kernels/counted_flops.hpp"
 
 namespace halfway::bench {
 
-/// Of one evaluation: a kernel has no branches, one pose tells all. 0 where there is no kernel.
+/// 0 where there is no kernel.
 template <class F, Kind kind, bool with_tangent, class Accuracy = kernel::Accuracy<>>
 double kernel_flops(const Inputs& in) {
-  using reference::Counting;
-  if constexpr (!kernel::kHasKernel<F>) {
+  if constexpr (!kernel::kHasKernel<F>)
     return 0;
-  } else {
-    const auto joint = static_kernel_joint<F, kind, Counting, kernel::Ends<Counting>>(in.spec);
-    const auto cast = [](const reference::QuaternionPose<double>& p) {
-      return reference::plain(
-          reference::QuaternionPose<Counting>{p.x.cast<Counting>(), p.q.cast<Counting>()});
-    };
-    const auto a = cast(in.qa.front()), b = cast(in.qb.front());
-    const auto count = reference::counted([&] {
-      if constexpr (kind == Kind::angular)
-        (void)kernel::loads<with_tangent, Accuracy>(joint, a.q, b.q);
-      else
-        (void)kernel::loads<with_tangent, Accuracy>(joint, a, b);
-    });
-    return double(count.flops());
-  }
+  else
+    return counted_flops<F, kind, with_tangent, Accuracy, kernel::Ends<reference::Counting>>(in);
 }
 
 }  // namespace halfway::bench

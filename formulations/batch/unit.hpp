@@ -5,6 +5,7 @@
 #include "formulations/batch/results.hpp"
 #include "formulations/batch/same.hpp"
 #include "formulations/kernels/dual.hpp"
+#include "formulations/kernels/joint.hpp"
 
 namespace halfway::batch::detail {
 
@@ -91,7 +92,7 @@ void evaluate(const Job<Number>& call) {
     const auto law = law_at<kind, P, Number, lean>(job, i);
     const Node<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
     const Node<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
-    const auto r = kernel::relative(a.joint, b.joint);
+    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
     if constexpr (kind == Kind::angular) {
       put<with_tangent>(k.template angular<ExactAngle, with_tangent>(r, law), job, i);
     } else {
@@ -119,7 +120,7 @@ void evaluate_product(const Job<Number>& job) {
     const V3<P> w_b = vector_at<P>(job.direction, kAngular ? 3 : 9, i);
     const Node<T> a = node<kind, P>(moved(quaternion_at<P>(job.q_a, i), w_a), job.a);
     const Node<T> b = node<kind, P>(moved(quaternion_at<P>(job.q_b, i), w_b), job.b);
-    const auto r = kernel::relative(a.joint, b.joint);
+    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
     if constexpr (kAngular) {
       put_product(k.template angular<Angle, false>(r, along), job, i);
     } else {

@@ -65,6 +65,8 @@ struct FamilyKernel {
   [[no_unique_address]] Translation translation{};
 
   static constexpr bool kBalanced = true;
+  template <Kind kind>
+  static constexpr bool kNeedsRelative = kind != Kind::linear || !Translation::kConstant;
   static constexpr bool kConjugate = Transport::kConjugate;
   static constexpr bool kSe3 = !Translation::kFrame;
   static constexpr bool kWeighted = requires(Translation t) { t.xi; };

@@ -45,21 +45,35 @@ struct Accuracy {
   using Differences = D;
 };
 
-template <class Differences, class T>
-HALFWAY_INLINE Relative<T> relative_of(const NoEnds&, const Quat<T>& a, const Quat<T>& b) {
-  return relative<Differences>(a, b);
+/// What of the relative rotation a kernel asks for: all, or frame a alone.
+template <class K, Kind kind, class Differences = Uncompensated, class T>
+HALFWAY_INLINE Relative<T> relative_for(const Quat<T>& a, const Quat<T>& b) {
+  if constexpr (requires { requires !K::template kNeedsRelative<kind>; })
+    return frame_a_alone(a);
+  else
+    return relative<Differences>(a, b);
 }
-template <class Differences, class T, class C>
+
+template <class K, Kind kind, class Differences, class T>
+HALFWAY_INLINE Relative<T> relative_of(const NoEnds&, const Quat<T>& a, const Quat<T>& b) {
+  return relative_for<K, kind, Differences>(a, b);
+}
+template <class K, Kind kind, class Differences, class T, class C>
 HALFWAY_INLINE Relative<T> relative_of(const Ends<C>& ends, const Quat<T>& a, const Quat<T>& b) {
-  const auto cast = [](const Quat<C>& q) { return Quat<T>{T(q.w), {T(q.v.x), T(q.v.y), T(q.v.z)}}; };
-  return relative<Differences>(a * cast(ends.a.h), b * cast(ends.b.h));
+  const auto joint_frame = [](const Quat<T>& q, const Quat<C>& h) {
+    return q * Quat<T>{T(h.w), {T(h.v.x), T(h.v.y), T(h.v.z)}};
+  };
+  if constexpr (requires { requires !K::template kNeedsRelative<kind>; })
+    return frame_a_alone(joint_frame(a, ends.a.h));
+  else
+    return relative<Differences>(joint_frame(a, ends.a.h), joint_frame(b, ends.b.h));
 }
 
 /// Moment on b, N m, and its derivatives by the spins; nothing linear is read or computed.
 template <bool with_tangent, class Accuracy = Accuracy<>, class T, class K, class L, class E>
 HALFWAY_INLINE AngularLoads<T> loads(const Joint<Kind::angular, K, L, E>& joint, const Quat<T>& a,
                                      const Quat<T>& b) {
-  const Relative<T> r = relative_of<typename Accuracy::Differences>(joint.ends, a, b);
+  const Relative<T> r = relative_of<K, Kind::angular, typename Accuracy::Differences>(joint.ends, a, b);
   return joint.kernel.template angular<typename Accuracy::Angle, with_tangent>(r, joint.law);
 }
 
@@ -84,7 +98,7 @@ HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Rel
 template <bool with_tangent, class Accuracy = Accuracy<>, Kind kind, class T, class K, class L, class E>
 HALFWAY_INLINE PointLoads<T> loads(const Joint<kind, K, L, E>& joint, const Node<T>& a, const Node<T>& b) {
   static_assert(kind != Kind::angular, "an angular joint takes orientations alone");
-  const Relative<T> r = relative_of<typename Accuracy::Differences>(joint.ends, a.q, b.q);
+  const Relative<T> r = relative_of<K, kind, typename Accuracy::Differences>(joint.ends, a.q, b.q);
   using Angle = typename Accuracy::Angle;
   const V3<T> D = b.x - a.x;
   if constexpr (std::is_same_v<E, NoEnds>) {

@@ -76,4 +76,12 @@ HALFWAY_INLINE Relative<T> relative(const Quat<T>& qa, const Quat<T>& qb) {
   return r;
 }
 
+/// For a law that no rotation concerns: frame a alone is set.
+template <class T>
+HALFWAY_INLINE Relative<T> frame_a_alone(const Quat<T>& qa) {
+  Relative<T> r{};
+  r.a = qa;
+  return r;
+}
+
 }  // namespace halfway::kernel

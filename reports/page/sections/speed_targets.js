@@ -12,7 +12,7 @@ function targetRow(t) {
   const measured = isNumber(t.value);
   const verdict = !measured ? ['left_out', '– not measured'] : t.met ? ['pass', '✓ met'] : ['fail', '✗ missed'];
   return h('tr', {}, h('th', {scope: 'row'}, t.name, t.note ? h('span', {class: 'aside'}, t.note) : null), h('td', {class: 'number'}, measured ? short(t.value, 3) : '–'),
-    h('td', {class: 'number'}, `${HELD[t.comparison] ?? t.comparison} ${short(t.limit)}`), h('td', {class: `mark ${verdict[0]}`}, verdict[1]));
+    h('td', {class: 'number'}, `${HELD[t.comparison] ?? t.comparison} ${short(t.limit, 3)}`), h('td', {class: `mark ${verdict[0]}`}, verdict[1]));
 }
 
 export function targetsTable(results) {
