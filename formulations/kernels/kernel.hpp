@@ -1,7 +1,8 @@
 // The kernel of each formulation, if it has one: KernelOf<F>::make(formulation).
 //
-// A formulation of the family has one by itself; another declares it in peers.hpp. What has none is
-// evaluated by its readable transcription alone (joint.hpp), which stays the reference of both.
+// A formulation of the family has one by itself if its measure has (measures.hpp, euler.hpp); another
+// declares it in peers.hpp. What has none is evaluated by its readable transcription alone (joint.hpp),
+// which stays the reference of both.
 #pragma once
 
 #include "formulations/kernels/peers.hpp"
@@ -10,7 +11,7 @@ namespace halfway::kernel {
 
 namespace detail {
 template <class Translation, class Measure, class Transport>
-FamilyKernel<Translation, Measure, Transport> family_kernel(
+requires(kVectorial<Measure> || kEuler<Measure>) FamilyKernel<Translation, Measure, Transport> family_kernel(
     const Family<Translation, Measure, Transport>& f) {
   return {f.translation};
 }
