@@ -90,6 +90,7 @@ Case kernel_case(const std::shared_ptr<const Inputs>& in, const std::string& var
   constexpr int read = 2 * (kind == Kind::angular ? 4 : 7);
   c.bytes = (read + output_count<kind, with_tangent>()) * double(sizeof(T));
   time_by(c, [nodes = KernelNodes<T>(*in), joint](int iterations) {
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): see residual_tangent.hpp
     const auto local = joint;
     for (int iteration = 0; iteration < iterations; ++iteration) {
       for (int i = 0; i < kPoses; ++i) {
