@@ -118,7 +118,7 @@ Bandwidths measured_bandwidths() {
       expect("read from a cache", total, double(passes) * part);
     });
   }
-  const auto ns = interleaved_medians(loops.runs, kRepetitions);
+  const auto ns = interleaved_bests(loops.runs, kRepetitions);
   Bandwidths out;
   for (std::size_t i = 0; i < ns.size(); ++i) out.push_back({loops.what[i], loops.bytes[i] / ns[i]});
   return out;

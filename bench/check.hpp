@@ -51,7 +51,8 @@ Checked compare(std::string_view formulation, const Inputs& in, const std::vecto
 /// Values of all poses of some inputs.
 using EvaluateAll = std::function<std::vector<Evaluated>(const Inputs&)>;
 
-/// The worst error of poses in each of phi_ranges(). No limit holds it: it is shown.
+/// The worst error of poses in each of phi_ranges(), of the tangent where there is one. No limit holds
+/// it: it is shown.
 std::vector<ErrorAt> errors_by_range(std::string_view formulation, const Inputs& in,
                                      const EvaluateAll& evaluate, Given given);
 

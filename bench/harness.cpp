@@ -143,11 +143,13 @@ Run run(const Options& options, const std::function<void(int, int, const std::st
     progress(0, total, "checking " + c.name);
     checked(c);
   }
+  const Peaks before = measured_peaks();
   benchmark::RunSpecifiedBenchmarks(&collector, options.filter);
   json.finish();
 
   Run out;
   out.context = context();
+  out.peaks = larger(before, measured_peaks());
   for (const Case& c : cases) out.timings.push_back(collector.timings().at(c.name));
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <vector>
@@ -15,23 +16,18 @@ inline double cpu_ns() {
   return 1e9 * double(t.tv_sec) + double(t.tv_nsec);
 }
 
-/// The median CPU time of each run, ns, over an odd number of repetitions.
-inline std::vector<double> interleaved_medians(const std::vector<std::function<void()>>& runs,
-                                               int repetitions) {
-  std::vector<std::vector<double>> times(runs.size());
+/// The least CPU time of each run, ns: a limit of the machine, which neighbours can only hide.
+inline std::vector<double> interleaved_bests(const std::vector<std::function<void()>>& runs,
+                                             int repetitions) {
+  std::vector<double> best(runs.size(), HUGE_VAL);
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const double begin = cpu_ns();
       runs[i]();
-      times[i].push_back(cpu_ns() - begin);
+      best[i] = std::min(best[i], cpu_ns() - begin);
     }
   }
-  std::vector<double> medians;
-  for (auto& t : times) {
-    std::ranges::nth_element(t, t.begin() + repetitions / 2);
-    medians.push_back(t[repetitions / 2]);
-  }
-  return medians;
+  return best;
 }
 
 }  // namespace halfway::bench

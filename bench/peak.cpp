@@ -40,9 +40,15 @@ Peaks measured_peaks() {
     add(isa, "double", isa.loops->doubles, isa.loops->double_lanes);
     add(isa, "float", isa.loops->floats, isa.loops->float_lanes);
   }
-  const auto ns = interleaved_medians(runs, kRepetitions);
+  const auto ns = interleaved_bests(runs, kRepetitions);
   for (std::size_t i = 0; i < peaks.size(); ++i) peaks[i].flops_per_ns = flops[i] / ns[i];
   return peaks;
+}
+
+Peaks larger(Peaks a, const Peaks& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i].flops_per_ns = std::max(a[i].flops_per_ns, b[i].flops_per_ns);
+  return a;
 }
 
 }  // namespace halfway::bench

@@ -17,4 +17,7 @@ using Peaks = std::vector<Peak>;
 /// does not return the number that it must.
 Peaks measured_peaks();
 
+/// The larger of two measurements of the same machine: it is a limit.
+Peaks larger(Peaks a, const Peaks& b);
+
 }  // namespace halfway::bench

@@ -1,6 +1,8 @@
 // What a benchmark yields: a time and the error of what was timed, from the same run.
 #pragma once
 
+#include "bench/peak.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -46,6 +48,7 @@ struct Context {
 struct Run {
   Context context;
   std::vector<Timing> timings;
+  Peaks peaks;  ///< the larger of before and after the timings
 };
 
 struct Options {

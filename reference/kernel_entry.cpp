@@ -1,21 +1,17 @@
 #include "reference/kernel_entry.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace halfway::reference {
 namespace {
 
-using Quaternion = so3::Quaternion<double>;
+using Quaternion = Eigen::Quaterniond;
 
-Quaternion product(const Quaternion& a, const Quaternion& b) {
-  return {a.w * b.w - a.v.dot(b.v), a.w * b.v + b.w * a.v + a.v.cross(b.v)};
-}
+Quaternion turn(const Vec3<double>& axis, double phi) { return Quaternion(Eigen::AngleAxisd(phi, axis)); }
 
-Quaternion turn(const Vec3<double>& axis, double phi) {
-  return {std::cos(phi / 2), std::sin(phi / 2) * axis};
-}
-
-Quaternion third(double sign) { return {0.5, {0.5, sign * 0.5, 0.5}}; }
+Quaternion third(double sign) { return {0.5, 0.5, sign * 0.5, 0.5}; }
 
 template <class T>
 so3::Quaternion<T> unit_of(const QuaternionPose<double>& p) {
@@ -33,17 +29,15 @@ Pose<Real50> exact_pose(const QuaternionPose<double>& p) {
 
 Pose<double> matrix_pose(const QuaternionPose<double>& p) { return {p.x, so3::matrix(unit_of<double>(p))}; }
 
-Mat3<double> third_of_turn(double sign) { return so3::matrix(third(sign)); }
+Mat3<double> third_of_turn(double sign) { return third(sign).toRotationMatrix(); }
 
 NodePair turned_pair(Generator& g, double phi, bool ends) {
   const Quaternion a = turn(g.direction(), g.uniform(0.1, 3));
   const Quaternion relative = turn(g.direction(), phi);
-  const Quaternion inverse_b{0.5, -third(-1).v};
-  const Quaternion b =
-      ends ? product(product(product(a, third(1)), relative), inverse_b) : product(a, relative);
+  const Quaternion b = ends ? a * third(1) * relative * third(-1).conjugate() : a * relative;
   const double side = g.uniform(0, 1) < 0.5 ? -1 : 1;  // both quaternions of the same rotation
   const auto unit = [](const Quaternion& q) {
-    return Eigen::Vector4d(q.w, q.v[0], q.v[1], q.v[2]).normalized();
+    return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
   };
   return {unit(a), side * unit(b)};
 }

@@ -52,12 +52,9 @@ std::span<const Entry> formulations();
 /// The entry of that name, or nullptr.
 const Entry* find_formulation(std::string_view name);
 
-/// Loads (f_a, m_a, f_b, m_b) and tangent of any kind in the 12 coordinates of the two nodes.
+/// An angular joint's loads and tangent in the 12 coordinates of the two nodes.
 template <class T>
-NodeLoads<T> node_loads(const Entry& entry, const JointSpec& spec, const Pose<T>& a, const Pose<T>& b,
-                        bool with_tangent) {
-  if (spec.kind != Kind::angular) return entry.in<T>().point(spec, a, b, with_tangent);
-  const AngularLoads<T> angular = entry.in<T>().angular(spec, a, b, with_tangent);
+NodeLoads<T> node_loads(const AngularLoads<T>& angular, bool with_tangent) {
   NodeLoads<T> out;
   out.q << Vec3<T>::Zero(), -angular.m_b, Vec3<T>::Zero(), angular.m_b;
   if (with_tangent) {
@@ -68,6 +65,14 @@ NodeLoads<T> node_loads(const Entry& entry, const JointSpec& spec, const Pose<T>
     out.tangent.template block<3, 3>(9, 9) = angular.m_b_wb;
   }
   return out;
+}
+
+/// Loads (f_a, m_a, f_b, m_b) and tangent of any kind in the 12 coordinates of the two nodes.
+template <class T>
+NodeLoads<T> node_loads(const Entry& entry, const JointSpec& spec, const Pose<T>& a, const Pose<T>& b,
+                        bool with_tangent) {
+  if (spec.kind != Kind::angular) return entry.in<T>().point(spec, a, b, with_tangent);
+  return node_loads(entry.in<T>().angular(spec, a, b, with_tangent), with_tangent);
 }
 
 /// Poses and ends in another scalar.

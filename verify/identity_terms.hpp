@@ -71,13 +71,7 @@ using Columns = Eigen::Matrix<T, 3, Eigen::Dynamic, 0, 3, 3>;
 /// Largest entry; NaN comes through.
 template <class T>
 double size(const Columns<T>& m) {
-  T out(0);
-  for (int i = 0; i < m.size(); ++i) {
-    using std::abs;
-    const T& x = m.data()[i];
-    if (!(abs(x) <= out)) out = abs(x);
-  }
-  return double(out);
+  return double(largest_entry<T>(m));
 }
 
 template <class T>

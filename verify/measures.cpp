@@ -19,13 +19,7 @@ double ratio(const Real50& defect, const Real50& scale) {
   return scale > Real50(0) ? double(defect / scale) : double(defect);
 }
 
-Real50 largest(const auto& m) {
-  Real50 out(0);
-  for (const Real50& x : m.reshaped()) {
-    if (!(abs(x) <= out)) out = abs(x);
-  }
-  return out;
-}
+Real50 largest(const auto& m) { return largest_entry<Real50>(m); }
 
 /// Keeps the worst of the probes; a NaN is the worst of all.
 template <class Fn>
@@ -35,8 +29,7 @@ Measurement worst(const std::vector<Probe>& probes, const Fn& defect_of) {
     const Probe& probe = probes[i];
     const double defect =
         defect_of(probe, exact_pose(probe.a, probe.spec.a), exact_pose(probe.b, probe.spec.b));
-    if (std::isnan(out.value) || defect <= out.value) continue;
-    out = {defect, fmt::format("probe {}, relative rotation {:.4g} rad", i, probe.phi)};
+    out.include(defect, fmt::format("probe {}, relative rotation {:.4g} rad", i, probe.phi));
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "verify/probes.hpp"
+#include "verify/worst.hpp"
 
 #include <functional>
 #include <optional>
@@ -33,11 +34,6 @@ struct JointUnderTest {
 
 /// The formulation of a registry entry. @param entry  must outlive the result.
 JointUnderTest of(const Entry& entry);
-
-struct Measurement {
-  double value = 0;
-  std::string where;  ///< the worst probe
-};
 
 /// The probe's pose in 50 digits, with the joint frame R H orthonormal to 50 digits: the frames H of
 /// a spec are doubles, and their drift would otherwise hide everything below 1e-16.

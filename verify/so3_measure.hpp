@@ -113,13 +113,7 @@ auto exact_input(const Rotation& r) {
 }
 
 /// Largest entry; a NaN comes through.
-inline Real50 largest(const auto& m) {
-  Real50 out(0);
-  for (const Real50& x : m.reshaped()) {
-    if (!(abs(x) <= out)) out = abs(x);
-  }
-  return out;
-}
+inline Real50 largest(const auto& m) { return largest_entry<Real50>(m); }
 
 template <class T>
 Eigen::Matrix<T, 4, 1> as_vector(const so3::Quaternion<T>& q) {
@@ -151,8 +145,7 @@ template <class Fn>
 Measurement worst_rotation(const std::vector<Rotation>& rotations, const Fn& error) {
   Measurement out{-1, "no rotation"};
   for (const Rotation& r : rotations) {
-    const double e = error(r);
-    if (!std::isnan(out.value) && !(e <= out.value)) out = {e, r.where};
+    out.include(error(r), r.where);
   }
   return out;
 }

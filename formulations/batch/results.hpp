@@ -51,13 +51,6 @@ template <class W, class P>
 HALFWAY_INLINE void put_distinct(const W& out, int row, const kernel::Load<P>& l) {
   out.matrix(row, l.x), out.matrix(row + 9, l.wa), out.matrix(row + 18, l.wb);
 }
-/// One load's three rows of the 12 x 12 matrix, by x_a, w_a, x_b, w_b.
-template <class W, class P>
-HALFWAY_INLINE void put_rows(const W& out, int row, const kernel::Load<P>& l) {
-  out.matrix(row, -l.x, 12), out.matrix(row + 3, l.wa, 12), out.matrix(row + 6, l.x, 12),
-      out.matrix(row + 9, l.wb, 12);
-}
-
 template <bool past_caches, bool with_tangent, class P, class Number>
 HALFWAY_INLINE void put_through(const kernel::PointLoads<P>& l, const Job<Number>& job, long i) {
   const auto loads = writer<past_caches>(job.loads, i);
@@ -67,8 +60,7 @@ HALFWAY_INLINE void put_through(const kernel::PointLoads<P>& l, const Job<Number
     if (!job.all_entries) {
       put_distinct(out, 0, l.f), put_distinct(out, 27, l.a), put_distinct(out, 54, l.b);
     } else {
-      put_rows(out, 0, kernel::Load<P>{{}, -l.f.x, -l.f.wa, -l.f.wb});
-      put_rows(out, 36, l.a), put_rows(out, 72, l.f), put_rows(out, 108, l.b);
+      kernel::put_tangent(out, l);
     }
   }
 }

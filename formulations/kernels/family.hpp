@@ -8,57 +8,12 @@
 
 #include "formulations/family.hpp"
 #include "formulations/kernels/euler.hpp"
+#include "formulations/kernels/force.hpp"
 #include "formulations/kernels/frames.hpp"
-#include "formulations/kernels/laws.hpp"
+#include "formulations/kernels/response.hpp"
 #include "formulations/kernels/screw.hpp"
-#include "formulations/kernels/spin_terms.hpp"
 
 namespace halfway::kernel {
-
-/// The moment on b as its frame sees it, global axes, with its derivatives by the relative position
-/// and spin, the force's derivative by the spin, and the spin of that frame.
-template <class T>
-struct Moment {
-  V3<T> value;
-  M3<T> p{}, w{}, f_w{};
-};
-
-/// The law's answer in global axes: force in frame F, moment in frame H.
-template <class T>
-struct Response {
-  V3<T> f, m;
-  Stiffness6<T> K;
-};
-
-/// @param local  strain as the law sees it, in frames F and H
-/// @param global  the same vectors in global axes: a linear law need not be asked before it is turned
-template <bool with_tangent, class T, class L>
-HALFWAY_INLINE Response<T> respond(const L& law, const M3<T>& F, const M3<T>& H, const Pair<T>& local,
-                                   const Pair<T>& global) {
-  Response<T> r;
-  if constexpr (with_tangent) {
-    const Stiffness6<T> k = law.stiffness(local);
-    r.K = {turned(F, k.ff), turned(F, k.fm, H), turned(H, k.mm)};
-  }
-  if constexpr (with_tangent && L::kLinear) {
-    r.f = r.K.ff * global.f + r.K.fm * global.m;
-    r.m = global.f * r.K.fm + r.K.mm * global.m;
-  } else {
-    const Pair<T> stress = law.stress(local);
-    r.f = F * stress.f;
-    r.m = H * stress.m;
-  }
-  return r;
-}
-template <bool with_tangent, class T, class L>
-HALFWAY_INLINE void respond(const L& law, const M3<T>& F, const V3<T>& local, const V3<T>& global,
-                            V3<T>& stress, S3<T>& K) {
-  if constexpr (with_tangent) K = turned(F, law.stiffness(local));
-  if constexpr (with_tangent && L::kLinear)
-    stress = K * global;
-  else
-    stress = F * law.stress(local);
-}
 
 template <class Translation, class Measure, class Transport>
 struct FamilyKernel {
@@ -108,10 +63,7 @@ struct FamilyKernel {
   }
   template <class Angle, Kind kind, bool with_tangent, class T>
   static HALFWAY_INLINE AngleJet<T> jet(const Relative<T>& r) {
-    if constexpr (order<kind, with_tangent>() < 0)
-      return {};
-    else
-      return Angle::template jet<order<kind, with_tangent>()>(r.t);
+    return jet_at<Angle, order<kind, with_tangent>()>(r);
   }
 
   template <bool with_tangent, class T>
@@ -247,57 +199,13 @@ struct FamilyKernel {
     return with_moment<with_tangent>(d, F.F * stress.f, f_p, m, F.spin, H.spin);
   }
 
-  /// Force on b and its moment, as derivatives by the position and the spin of b.
-  template <bool with_tangent, bool with_f_w, class T, class Spin>
-  static HALFWAY_INLINE void force_at_points(const V3<T>& d, const V3<T>& f, const M3<T>& f_p,
-                                             const M3<T>& f_w, const Spin& A, PointLoads<T>& out) {
-    out.f.value = f;
-    if constexpr (std::is_same_v<Spin, NoSpin>) {
-      out.b.value = zero3<T>();
-      if constexpr (with_tangent) {
-        out.f.x = f_p;
-        out.f.wb = with_f_w ? f_w : zero33<T>();
-        out.b.x = out.b.wb = zero33<T>();
-      }
-    } else {
-      const Load<T> b = arm<with_tangent, with_f_w>(d, f, f_p, f_w, A);
-      out.b.value = b.value;
-      if constexpr (with_tangent) {
-        out.f.x = f_p;
-        const M3<T> seen = minus_skew(times_skew(f_p, d), f);
-        out.f.wb = with_f_w ? f_w + spun(seen, A) : spun(seen, A);
-        out.b.x = b.x;
-        const M3<T> carried = spun(minus_skew(times_skew(b.x, d), b.value), A);
-        if constexpr (with_f_w || !std::is_same_v<Spin, FullSpin>)
-          out.b.wb = b.wb + carried;
-        else
-          out.b.wb = carried;
-      }
-    }
-  }
-
-  /// The same with a moment, as seen in a frame of its own: `as_seen`, its derivatives there.
-  template <bool with_tangent, class T, class Spin, class MomentSpin>
-  static HALFWAY_INLINE PointLoads<T> with_moment(const V3<T>& d, const V3<T>& f, const M3<T>& f_p,
-                                                  const Moment<T>& m, const Spin& A, const MomentSpin& A_m) {
-    PointLoads<T> out;
-    force_at_points<with_tangent, true>(d, f, f_p, m.f_w, A, out);
-    out.b.value = out.b.value + m.value;
-    if constexpr (with_tangent) {
-      out.b.x = out.b.x + m.p;
-      out.b.wb = out.b.wb + minus_turn(m.w, m.value, A_m);
-      if constexpr (!std::is_same_v<Spin, NoSpin>) out.b.wb = out.b.wb + spun(times_skew(m.p, d), A);
-    }
-    return out;
-  }
-
   /// On SE(3): the translation's strain is B d with the rotation vector's own rate B, half-way.
   template <Kind kind, bool with_tangent, class T, class L>
   HALFWAY_INLINE PointLoads<T> se3(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
                                    const L& law) const {
     static_assert(kConjugate && kVectorial<Measure>);
     const auto H = frame<with_tangent>(FrameHalfway{}, r, j);
-    const ScrewStrain<T> strain = screw_strain<with_tangent>(r, j, d);
+    const ScrewStrain<T> strain = screw_strain(r, j, d);
     const auto& B = strain.B;
     V3<T> f;
     S3<T> K;

@@ -69,41 +69,49 @@ HALFWAY_INLINE void complete(const V3<T>& d, PointLoads<T>& p) {
   if constexpr (with_tangent) complete_column(d, p.a);
 }
 
-namespace detail {
+/// Three rows of the 12 x 12 tangent from `row` on, by columns (x_a, w_a, x_b, w_b).
+/// @param out  anything whose matrix(i, m, step) puts a block's rows from entry i on, `step` apart
+template <class Out, class T>
+HALFWAY_INLINE void put_rows(const Out& out, int row, const Load<T>& l) {
+  const int i = 12 * row;
+  out.matrix(i, -l.x, 12), out.matrix(i + 3, l.wa, 12), out.matrix(i + 6, l.x, 12),
+      out.matrix(i + 9, l.wb, 12);
+}
+/// The tangent of (f_a, m_a, f_b, m_b).
+template <class Out, class T>
+HALFWAY_INLINE void put_tangent(const Out& out, const PointLoads<T>& l) {
+  put_rows(out, 0, Load<T>{{}, -l.f.x, -l.f.wa, -l.f.wb});
+  put_rows(out, 3, l.a), put_rows(out, 6, l.f), put_rows(out, 9, l.b);
+}
+
+/// Numbers one after the other in memory.
 template <class T>
-HALFWAY_INLINE void put(T* out, const V3<T>& v) {
-  out[0] = v.x, out[1] = v.y, out[2] = v.z;
-}
-/// Rows of a block into rows of a matrix with `columns` columns.
-template <int columns, class T>
-HALFWAY_INLINE void put(T* out, const M3<T>& m) {
-  put(out, m.x), put(out + columns, m.y), put(out + 2 * columns, m.z);
-}
-template <class T>
-HALFWAY_INLINE void put_rows(T* out, const Load<T>& l) {
-  put<12>(out, -l.x), put<12>(out + 3, l.wa), put<12>(out + 6, l.x), put<12>(out + 9, l.wb);
-}
-}  // namespace detail
+struct Entries {
+  T* first;
+
+  HALFWAY_INLINE void vector(int i, const V3<T>& v) const {
+    first[i] = v.x, first[i + 1] = v.y, first[i + 2] = v.z;
+  }
+  HALFWAY_INLINE void matrix(int i, const M3<T>& m, int step) const {
+    vector(i, m.x), vector(i + step, m.y), vector(i + 2 * step, m.z);
+  }
+};
 
 /// Moment on b, then its 3 x 6 tangent by rows, columns (w_a, w_b).
 template <bool with_tangent, class T>
 HALFWAY_INLINE void expand(const AngularLoads<T>& l, T* out) {
-  detail::put(out, l.m);
-  if constexpr (with_tangent) detail::put<6>(out + 3, l.wa), detail::put<6>(out + 6, l.wb);
+  const Entries<T> entries{out};
+  entries.vector(0, l.m);
+  if constexpr (with_tangent) entries.matrix(3, l.wa, 6), entries.matrix(6, l.wb, 6);
 }
 
-/// Loads (f_a, m_a, f_b, m_b), then their 12 x 12 tangent by rows, columns (x_a, w_a, x_b, w_b).
+/// Loads (f_a, m_a, f_b, m_b), then their 12 x 12 tangent by rows.
 template <bool with_tangent, class T>
 HALFWAY_INLINE void expand(const PointLoads<T>& l, T* out) {
-  detail::put(out, -l.f.value), detail::put(out + 3, l.a.value);
-  detail::put(out + 6, l.f.value), detail::put(out + 9, l.b.value);
-  if constexpr (with_tangent) {
-    T* const tangent = out + 12;
-    detail::put_rows(tangent, Load<T>{{}, -l.f.x, -l.f.wa, -l.f.wb});
-    detail::put_rows(tangent + 36, l.a);
-    detail::put_rows(tangent + 72, l.f);
-    detail::put_rows(tangent + 108, l.b);
-  }
+  const Entries<T> entries{out};
+  entries.vector(0, -l.f.value), entries.vector(3, l.a.value);
+  entries.vector(6, l.f.value), entries.vector(9, l.b.value);
+  if constexpr (with_tangent) put_tangent(Entries<T>{out + 12}, l);
 }
 
 }  // namespace halfway::kernel

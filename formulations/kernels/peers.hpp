@@ -22,33 +22,34 @@ HALFWAY_INLINE void in_space(const V3<T>& d, const Spin& A, Load<T>& l) {
   l.wb = minus_turn(l.wb, l.value, A) + spun(times_skew(l.x, d), A);
 }
 
-/// The law's strain (l, e) with its derivatives: dl = l_p dp + l_w dspin and de = rate dspin.
+/// Stresses of the strain (l, e) in frame F, l in global axes, with their derivatives by l and, at
+/// constant l, by the spin: de = rate dspin.
 template <Kind kind, bool with_tangent, class T, class L, class Rate>
-HALFWAY_INLINE Seen<T> stress_of(const L& law, const M3<T>& F, const V3<T>& l, const V3<T>& e,
-                                 const M3<T>& l_p, const M3<T>& l_w, const Rate& rate) {
-  Seen<T> s;
+HALFWAY_INLINE Seen<T> seen(const L& law, const M3<T>& F, const V3<T>& l, const Relative<T>& r, const T& eta,
+                            const Rate& rate) {
+  Seen<T> s{};
   if constexpr (kind == Kind::linear) {
-    s.f.value = F * law.stress(l * F);
-    if constexpr (with_tangent) {
-      const M3<T> K = full(turned(F, law.stiffness(l * F)));
-      s.f.x = K * l_p;
-      s.f.wb = K * l_w;
-    }
+    S3<T> K;
+    respond<with_tangent>(law, F, l * F, l, s.f.value, K);
+    if constexpr (with_tangent) s.f.x = full(K), s.f.wb = zero33<T>();
   } else {
-    const Pair<T> local{l * F, e};
-    const Pair<T> stress = law.stress(local);
-    s.f.value = F * stress.f;
-    s.m.value = F * stress.m;
+    const Response<T> g = respond<with_tangent>(law, F, F, Pair<T>{l * F, eta * r.v}, Pair<T>{l, eta * r.g});
+    s.f.value = g.f, s.m.value = g.m;
     if constexpr (with_tangent) {
-      const Stiffness6<T> k = law.stiffness(local);
-      const M3<T> ff = full(turned(F, k.ff)), fm = turned(F, k.fm, F), mf = transposed(fm);
-      s.f.x = ff * l_p;
-      s.f.wb = ff * l_w + rate.after(fm);
-      s.m.x = mf * l_p;
-      s.m.wb = mf * l_w + rate.after(full(turned(F, k.mm)));
+      s.f.x = full(g.K.ff), s.f.wb = rate.after(g.K.fm);
+      s.m.x = transposed(g.K.fm), s.m.wb = rate.after(full(g.K.mm));
     }
   }
   return s;
+}
+
+/// The rotation vector's measure, where a kind of joint has one.
+template <Kind kind, bool with_tangent, class T>
+HALFWAY_INLINE Measured<T> rotation_vector(const Relative<T>& r, const AngleJet<T>& j) {
+  if constexpr (kind == Kind::linear)
+    return {};
+  else
+    return MeasureKernel<RotationVectorMeasure>::measured < with_tangent ? 1 : 0 > (r, j);
 }
 
 /// Chrono: the motion of a seen from b, loads of opposite sign at both points, no arm.
@@ -87,31 +88,11 @@ struct ChronoKernel {
 
   template <class Angle, Kind kind, bool with_tangent, class T, class L>
   HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
-    PointLoads<T> out;
-    const Reversed<L> reversed{law};
     const auto j = jet_at < Angle, kind == Kind::linear ? -1 : with_tangent ? 1 : 0 > (r);
     const auto F = frame<with_tangent>(FrameB{}, r, j);
-    const Measured<T> e = kind == Kind::linear ? Measured<T>{} : rotation_vector<with_tangent>(r, j);
-    const auto rate = F.rate(r, e);
-    const Seen<T> s = [&] {
-      if constexpr (kind == Kind::linear) {
-        Seen<T> only;
-        S3<T> K;
-        respond<with_tangent>(reversed, F.F, d * F.F, d, only.f.value, K);
-        if constexpr (with_tangent) only.f.x = full(K), only.f.wb = zero33<T>();
-        return only;
-      } else {
-        const auto g =
-            respond<with_tangent>(reversed, F.F, F.F, Pair<T>{d * F.F, e.eta * r.v}, Pair<T>{d, e.eta * r.g});
-        Seen<T> both;
-        both.f.value = g.f, both.m.value = g.m;
-        if constexpr (with_tangent) {
-          both.f.x = full(g.K.ff), both.f.wb = rate.after(g.K.fm);
-          both.m.x = transposed(g.K.fm), both.m.wb = rate.after(full(g.K.mm));
-        }
-        return both;
-      }
-    }();
+    const Measured<T> e = rotation_vector<kind, with_tangent>(r, j);
+    const Seen<T> s = seen<kind, with_tangent>(Reversed<L>{law}, F.F, d, r, e.eta, F.rate(r, e));
+    PointLoads<T> out;
     out.f = s.f;
     if constexpr (kind == Kind::linear) {
       out.b = {zero3<T>(), zero33<T>(), {}, zero33<T>()};
@@ -123,11 +104,6 @@ struct ChronoKernel {
     out.a.value = -out.b.value;
     if constexpr (with_tangent) out.a.x = -out.b.x, out.a.wb = -out.b.wb;
     return out;
-  }
-
-  template <bool with_tangent, class T>
-  static HALFWAY_INLINE Measured<T> rotation_vector(const Relative<T>& r, const AngleJet<T>& j) {
-    return MeasureKernel<RotationVectorMeasure>::measured < with_tangent ? 1 : 0 > (r, j);
   }
 };
 
@@ -177,17 +153,22 @@ struct ExudynKernel {
   HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
     const auto j = jet_at<Angle, 2>(r);
     const auto H = frame<with_tangent>(FrameHalfway{}, r, j);
-    const ScrewStrain<T> strain = screw_strain<with_tangent>(r, j, d);
-    const SymmetricAxial<T>& B = strain.B;
-    const M3<T> B_matrix = plus_diagonal(outer(B.r * B.g, B.g), B.p);
-    const Seen<T> s = stress_of<kind, with_tangent>(law, H.F, strain.l, j.h * r.v, B_matrix, strain.L, B);
+    const ScrewStrain<T> strain = screw_strain(r, j, d);
+    const SymmetricAxial<T>& B = strain.B;  // dl = B dp + L dspin
+    Seen<T> s = seen<kind, with_tangent>(law, H.F, strain.l, r, j.h, B);
+    if constexpr (with_tangent) {
+      for (Load<T>* l : {&s.f, &s.m}) {
+        l->wb = l->wb + l->x * strain.L;
+        l->x = B.after(l->x);
+      }
+    }
     // Couple -l x f / 2 on both nodes.
     const V3<T> half = T(0.5) * strain.l;
     Load<T> c;
     c.value = -cross(half, s.f.value);
     if constexpr (with_tangent) {
       const V3<T> half_f = T(0.5) * s.f.value;
-      c.x = skew_times(half_f, B_matrix) - skew_times(half, s.f.x);
+      c.x = B.after(plus_skew(zero33<T>(), half_f)) - skew_times(half, s.f.x);
       c.wb = skew_times(half_f, strain.L) - skew_times(half, s.f.wb);
     }
     PointLoads<T> out;
@@ -220,13 +201,12 @@ struct MbdynJointInvKernel {
   HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
     const auto j = jet_at < Angle, kind == Kind::linear ? -1 : with_tangent ? 1 : 0 > (r);
     const auto H = frame<with_tangent>(FrameHalfway{}, r, j);
-    const Measured<T> e =
-        kind == Kind::linear ? Measured<T>{} : ChronoKernel::rotation_vector<with_tangent>(r, j);
-    const SymmetricAxial<T> rate{e.beta, e.gamma, r.g};
-    const M3<T> one = plus_diagonal(zero33<T>(), T(1));
-    M3<T> l_w;  // what frame a sees of the position, the half-way frame sees turned by its own share
-    if constexpr (with_tangent) l_w = H.spin.after(times_skew(one, d));
-    const Seen<T> s = stress_of<kind, with_tangent>(law, H.F, d, e.eta * r.v, one, l_w, rate);
+    const Measured<T> e = rotation_vector<kind, with_tangent>(r, j);
+    Seen<T> s = seen<kind, with_tangent>(law, H.F, d, r, e.eta, SymmetricAxial<T>{e.beta, e.gamma, r.g});
+    if constexpr (with_tangent) {
+      // What frame a sees of the position, the half-way frame sees turned by its own share.
+      for (Load<T>* l : {&s.f, &s.m}) l->wb = l->wb + H.spin.after(times_skew(l->x, d));
+    }
     // From half-way axes to those of a: a turn by -phi/2.
     const Axial<T> back{r.w, T(-1), r.iw, r.g};
     const auto to_a = [&](const Load<T>& l) {

@@ -16,22 +16,6 @@ HALFWAY_INLINE M3<T> rate_of_rate(const Relative<T>& r, const Measured<T>& m, co
   return plus_diagonal(outer(r.g, row) - outer((T(0.5) * m.beta_w) * x, r.g), half_gamma * along);
 }
 
-/// How much of the angle's jet a measure needs.
-template <class Measure>
-constexpr int jet_order(bool rate, bool rate_of_rate) {
-  if constexpr (kVectorial<Measure>)
-    return MeasureKernel<Measure>::kJet[rate_of_rate ? 2 : rate ? 1 : 0];
-  else
-    return -1;
-}
-template <class Angle, int order, class T>
-HALFWAY_INLINE AngleJet<T> jet_at(const Relative<T>& r) {
-  if constexpr (order < 0)
-    return {};
-  else
-    return Angle::template jet<order>(r.t);
-}
-
 /// l = B d, half-way and in global axes, with L = dl/d(spin).
 template <class T>
 struct ScrewStrain {
@@ -58,7 +42,7 @@ struct ScrewStrain {
   }
 };
 
-template <bool with_tangent, class T>
+template <class T>
 HALFWAY_INLINE ScrewStrain<T> screw_strain(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d) {
   ScrewStrain<T> s;
   s.measure = MeasureKernel<RotationVectorMeasure>::measured<2>(r, j);

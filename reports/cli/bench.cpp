@@ -34,7 +34,7 @@ std::string share(const bench::Peaks& peaks, const bench::Timing& t) {
   return "";
 }
 
-void print_table(const bench::Run& run, const bench::Peaks& peaks) {
+void print_table(const bench::Run& run) {
   fmt::print("{}; {}; {}; commit {}\n", run.context.machine, run.context.compiler, run.context.flags,
              run.context.commit);
   fmt::print("{:<58} {:>10} {:>7} {:>11} {:>9} {:>8} {:>8}\n", "benchmark", "ns (CPU)", "spread",
@@ -44,13 +44,14 @@ void print_table(const bench::Run& run, const bench::Peaks& peaks) {
       fmt::print("{:<58} not timed: {}\n", t.name, t.message);
     else
       fmt::print("{:<58} {:>10.1f} {:>6.1f}% {:>11.2g} {:>9} {:>8} {:>8}\n", t.name, t.ns, 100 * t.spread,
-                 t.error, t.flops > 0 ? fmt::format("{:.0f}", t.flops) : "", share(peaks, t), gain(run, t));
+                 t.error, t.flops > 0 ? fmt::format("{:.0f}", t.flops) : "", share(run.peaks, t),
+                 gain(run, t));
   }
 }
 
-void print_targets(const bench::Run& run, const bench::Peaks& peaks) {
+void print_targets(const bench::Run& run) {
   fmt::print("\n{:<84} {:>8} {:>10}\n", "target (ratios within this run)", "value", "limit");
-  for (const Target& t : speed_targets(run.timings, peaks)) {
+  for (const Target& t : speed_targets(run.timings, run.peaks)) {
     const std::string limit = fmt::format("{} {:.2f}", t.at_least ? ">=" : "<=", t.limit);
     if (std::isnan(t.value))
       fmt::print("{:<84} {:>8} {:>10}  not timed\n", t.name, "-", limit);
@@ -67,9 +68,8 @@ void run_bench(const bench::Options& options) {
   }
   const bench::Run run = bench::run(options, Progress("timing"));
   if (run.timings.empty()) throw BadInput(fmt::format("--filter: no benchmark matches '{}'", options.filter));
-  const bench::Peaks peaks = bench::measured_peaks();
-  print_table(run, peaks);
-  print_targets(run, peaks);
+  print_table(run);
+  print_targets(run);
   for (const auto& t : run.timings) {
     if (t.wrong) throw FailedRun(t.name + " is wrong and was not timed: " + t.message);
   }

@@ -91,7 +91,7 @@ void time_all(const ReportOptions& options, Results& results) {
     if (timing.wrong) results.left_out.push_back({timing.name, "not timed: " + timing.message});
   }
   for (const auto& [what, reason] : bench::skipped()) results.left_out.push_back({what, reason});
-  results.speed = speed_record(results);
+  results.speed = speed_record(results, run.peaks);
 }
 
 int count(const Results& results, reference::Verdict verdict) {

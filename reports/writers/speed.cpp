@@ -36,8 +36,7 @@ static void to_json(nlohmann::json& json, const Target& t) {
           {"note", t.note}};
 }
 
-nlohmann::json speed_record(const Results& results) {
-  const bench::Peaks peaks = bench::measured_peaks();
+nlohmann::json speed_record(const Results& results, const bench::Peaks& peaks) {
   return {{"peaks", peaks},
           {"bandwidth", bench::measured_bandwidths()},
           {"targets", speed_targets(results.timings, peaks)},

@@ -6,8 +6,8 @@
 
 namespace halfway::reports {
 
-/// Measures peaks and bandwidths in this process and holds the run's timings against the targets.
-nlohmann::json speed_record(const Results& results);
+/// Measures bandwidths in this process and holds the run's timings against its peaks and the targets.
+nlohmann::json speed_record(const Results& results, const bench::Peaks& peaks);
 
 /// One target: a ratio of two medians of this run, or an error.
 struct Target {

@@ -15,19 +15,14 @@ struct BatchJoint {
   reference::QuaternionPose<double> a, b;
   double phi = 0;
   NodeLoads<Real50> exact{};
-  double scale = 0;  ///< |K| |strain|, what an error of the loads is relative to
+  bool near_pole = false;  ///< of its measure, see poles.hpp
+  double scale = 0;        ///< |K| |strain|, what an error of the loads is relative to
 };
 
 /// 40 joints, phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.
 /// @param single  poses rounded to float, and none nearer to pi than float can tell
 /// @param ends  third turns and offsets of order one on both nodes; else none
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::Law law, bool ends, bool single);
-
-/// Is the measure one of Euler angles?
-bool has_poles(const Entry& entry);
-
-/// At a pole of the measure: its condition number is 1/distance.
-bool near_pole(const Entry& entry, const BatchJoint& joint);
 
 /// The tables of some joints, and of their results.
 template <class T>

@@ -1,4 +1,5 @@
 #include "verify/checks/batch.hpp"
+#include "verify/poles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,7 @@ constexpr double kPlain = 4 * std::numeric_limits<double>::epsilon() / 5e-15;
 void solve(const Entry& entry, BatchJoint& j) {
   const auto a = reference::exact_pose(j.a), b = reference::exact_pose(j.b);
   j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
+  j.near_pole = near_pole(entry, j.spec, a, b);
   const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
   const double loads = j.exact.q.cast<double>().lpNorm<Eigen::Infinity>();
   j.scale = std::max(stiffness(j) * std::max(strain, kPlain), loads);
@@ -102,20 +104,6 @@ std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, boo
     out.push_back(j);
   }
   return out;
-}
-
-bool has_poles(const Entry& entry) {
-  constexpr std::string_view kEuler[] = {"field_a", "field_b", "simbody_xyz", "drake_rpy"};
-  return std::ranges::find(kEuler, entry.name) != std::end(kEuler);
-}
-
-bool near_pole(const Entry& entry, const BatchJoint& j) {
-  if (j.spec.kind == Kind::linear) return false;
-  if (entry.name == "cayley") return j.phi > 3;
-  if (!has_poles(entry)) return false;
-  const auto* linear = std::get_if<reference::LinearSpec>(&j.spec.law);
-  const double usual = linear != nullptr ? linear->matrix.norm() : 1e3;
-  return j.exact.tangent.cast<double>().lpNorm<Eigen::Infinity>() > 10 * usual;
 }
 
 template <class T>

@@ -22,8 +22,7 @@ Measurement asymmetry(bool face_turns) {
   s.compliance = compliance;
   Measurement worst{0, "no law"};
   for (fe::Law law : fe::kLaws) {
-    const double off = std::abs(xi_of_moments(s, law, 0, 2) - 0.5);
-    if (!(off <= worst.value)) worst = {off, std::string("law ") + to_string(law)};
+    worst.include(std::abs(xi_of_moments(s, law, 0, 2) - 0.5), std::string("law ") + to_string(law));
   }
   return worst;
 }

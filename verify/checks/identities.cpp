@@ -164,11 +164,10 @@ const Identity kIdentities[] = {
 Measurement worst_sample(double (*residual)(const Sample&), double unit) {
   Measurement out{-1, "no sample"};
   for (const Sample& s : samples()) {
-    const double r = residual(s) / unit;
-    if (std::isnan(out.value) || r <= out.value) continue;
-    out = {r, fmt::format("phi = {:.9g} rad, n = ({:.3g}, {:.3g}, {:.3g}), xi = {}", s.theta.norm(),
-                          s.theta[0] / s.theta.norm(), s.theta[1] / s.theta.norm(),
-                          s.theta[2] / s.theta.norm(), s.xi)};
+    out.include(residual(s) / unit,
+                fmt::format("phi = {:.9g} rad, n = ({:.3g}, {:.3g}, {:.3g}), xi = {}", s.theta.norm(),
+                            s.theta[0] / s.theta.norm(), s.theta[1] / s.theta.norm(),
+                            s.theta[2] / s.theta.norm(), s.xi));
   }
   return out;
 }

@@ -100,7 +100,7 @@ Worst measured(const Function& f, const double (&c)[count]) {
     for (int k = count - 1; k >= 0; --k) p = p * x + Real50(c[k]);
     const double error = std::abs(double((p - exact) / exact));
     worst.least = std::min(worst.least, std::abs(double(exact)));
-    if (!(error <= worst.error.value)) worst.error = {error, fmt::format("at {:.4g}", double(x))};
+    worst.error.include(error, fmt::format("at {:.4g}", double(x)));
   }
   return worst;
 }

@@ -37,7 +37,7 @@ Measurement worst_angle(int power) {
     const double phi =
         std::min(1e-3 * std::pow(1e3 * std::numbers::pi, double(i) / kPoints), std::numbers::pi);
     const double error = angle_error<Angle>(phi) / std::pow(phi, power);
-    if (!(error <= worst.value)) worst = {error, fmt::format("phi = {:.4g} rad", phi)};
+    worst.include(error, fmt::format("phi = {:.4g} rad", phi));
   }
   return worst;
 }
@@ -104,7 +104,7 @@ std::vector<Probe> mixed_probes(const Entry& entry, Kind kind) {
 
 double defect(const NodeLoads<double>& value, const NodeLoads<double>& by) {
   const auto of_largest = [](const auto& x, const auto& y) {
-    return (x - y).template lpNorm<Eigen::Infinity>() / y.template lpNorm<Eigen::Infinity>();
+    return largest_entry<double>((x - y).eval()) / largest_entry<double>(y);
   };
   return std::max(of_largest(value.q, by.q), of_largest(value.tangent, by.tangent));
 }
@@ -115,7 +115,7 @@ Measurement worst_loads(const Entry& entry, const Entry& by, Kind kind) {
   for (const Probe& p : mixed_probes(by, kind)) {
     const auto value = reference::node_loads<double>(entry, p.spec, p.a, p.b, true);
     const double miss = defect(value, reference::node_loads<double>(by, p.spec, p.a, p.b, true));
-    if (!(miss <= worst.value)) worst = {miss, fmt::format("phi = {:.3g} rad", p.phi)};
+    worst.include(miss, fmt::format("phi = {:.3g} rad", p.phi));
   }
   return worst;
 }
@@ -158,7 +158,7 @@ Measurement worst_moment(const KernelVariant& v, const Entry& invariant) {
     for (const bool with_tangent : {false, true}) {
       const Vec3<double> m = entry.in_double.angular(p.spec, p.a, p.b, with_tangent).m_b;
       const double miss = (m - exact).norm() / exact.norm();
-      if (!(miss <= worst.value)) worst = {miss, fmt::format("phi = {:.3g} rad", p.phi)};
+      worst.include(miss, fmt::format("phi = {:.3g} rad", p.phi));
     }
   }
   return worst;
@@ -181,7 +181,7 @@ Measurement worst_tangent(const KernelVariant& v, const Entry& invariant) {
     }
     const Mat3<double> tangent = v.from_matrices(p.spec, p.a, p.b, true).m_b_wb;
     const double miss = (tangent - difference).norm() / tangent.norm();
-    if (!(miss <= worst.value)) worst = {miss, fmt::format("phi = {:.3g} rad", p.phi)};
+    worst.include(miss, fmt::format("phi = {:.3g} rad", p.phi));
   }
   return worst;
 }

@@ -1,5 +1,6 @@
 // The kernels against the readable transcription at 50 digits: another text of the same joint, from
 // the very same quaternions, over every decade of the angle up to pi - 1e-12.
+#include "verify/poles.hpp"
 #include "verify/property.hpp"
 
 #include <fmt/format.h>
@@ -47,32 +48,10 @@ std::vector<Case> cases(const Entry& entry, Kind kind, bool ends) {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-struct Error {
-  double loads = 0, tangent = 0;
-};
-
-template <class T>
-Error error(const NodeLoads<Real50>& exact, const NodeLoads<T>& value, double stiffness, double strain) {
-  const auto miss = [](const auto& exact_, const auto& value_) {
-    return (value_.template cast<Real50>() - exact_)
-        .template cast<double>()
-        .template lpNorm<Eigen::Infinity>();
-  };
-  const double loads = exact.q.cast<double>().lpNorm<Eigen::Infinity>();
-  return {miss(exact.q, value.q) / std::max(stiffness * strain, loads),
-          miss(exact.tangent, value.tangent) / exact.tangent.cast<double>().lpNorm<Eigen::Infinity>()};
-}
-
-template <class T>
-NodeLoads<T> node_loads(const AngularLoads<T>& l) {
-  NodeLoads<T> out;
-  out.q << Vec3<T>::Zero(), -l.m_b, Vec3<T>::Zero(), l.m_b;
-  out.tangent.setZero();
-  out.tangent.template block<3, 3>(9, 3) = l.m_b_wa;
-  out.tangent.template block<3, 3>(9, 9) = l.m_b_wb;
-  out.tangent.template block<3, 6>(3, 3) << -l.m_b_wa, Mat3<T>::Zero();
-  out.tangent.template block<3, 3>(3, 9) = -l.m_b_wb;
-  return out;
+/// Largest |value - exact| of any entry, relative to `scale`.
+template <class E, class V>
+double miss(const E& exact, const V& value, double scale) {
+  return double(largest_entry<Real50>((value.template cast<Real50>() - exact).eval())) / scale;
 }
 
 template <class T>
@@ -81,19 +60,8 @@ NodeLoads<T> kernel_loads(const reference::KernelEvaluators<T>& kernel, const Ca
     return QuaternionPose<T>{p.x.template cast<T>(), p.q.template cast<T>()};
   };
   if (c.spec.kind == Kind::angular)
-    return node_loads(kernel.angular(c.spec, cast(c.a), cast(c.b), with_tangent));
+    return reference::node_loads(kernel.angular(c.spec, cast(c.a), cast(c.b), with_tangent), true);
   return kernel.point(c.spec, cast(c.a), cast(c.b), with_tangent);
-}
-
-/// Euler measures have a pole where the middle angle is pi/2, cayley's at pi: 1/distance of it is the
-/// condition number, and nobody evaluates a pole to eps. It is kept below 3.
-bool near_pole(const Entry& entry, const Case& c, const Eigen::VectorXd& strain) {
-  if (c.spec.kind == Kind::linear) return false;
-  if (entry.name == "cayley") return c.phi > 2.4;
-  constexpr std::string_view kEuler[] = {"field_a", "field_b", "simbody_xyz", "drake_rpy"};
-  if (std::ranges::find(kEuler, entry.name) == std::end(kEuler)) return false;
-  const int middle = entry.name.starts_with("field") ? 0 : 1;  // 312 or 123, 321; listed by axis
-  return std::abs(std::cos(strain.tail<3>()[middle])) < 1. / 3;
 }
 
 /// Where plain differences of products are taken, 4 eps of the relative quaternion are lost whatever the
@@ -107,8 +75,7 @@ QuaternionPose<double> rounded(const QuaternionPose<double>& p) {
 }
 
 struct Worst {
-  Error error;
-  std::string loads_at, tangent_at;
+  Measurement loads, tangent;
 };
 
 /// Worst errors over all cases; `floor` is the strain below which loads are not relative.
@@ -123,23 +90,26 @@ Worst worst(const Entry& entry, Kind kind, const reference::KernelEvaluators<T>&
     c.a = rounded<T>(c.a), c.b = rounded<T>(c.b);
     const auto a = reference::exact_pose(c.a), b = reference::exact_pose(c.b);
     const auto exact = reference::node_loads<Real50>(entry, c.spec, a, b, true);
-    const Eigen::VectorXd strain = entry.in_real50.strain(c.spec, a, b).template cast<double>();
-    if (near_pole(entry, c, strain)) continue;
+    if (near_pole(entry, c.spec, a, b)) continue;
+    const double strain = double(Real50(entry.in_real50.strain(c.spec, a, b).norm()));
     const double stiffness = std::get<reference::LinearSpec>(c.spec.law).matrix.norm();
+    const double of_loads =
+        std::max(stiffness * std::max(strain, floor), double(largest_entry<Real50>(exact.q)));
     const std::string at = fmt::format("phi = {:.3g} rad", c.phi);
     for (const bool with_tangent : {true, false}) {
       const auto value = kernel_loads(kernel, c, with_tangent);
-      const Error e = error(exact, value, stiffness, std::max(strain.norm(), floor));
-      if (!(e.loads <= out.error.loads)) out.error.loads = e.loads, out.loads_at = at;
-      if (with_tangent && !(e.tangent <= out.error.tangent))
-        out.error.tangent = e.tangent, out.tangent_at = at;
+      out.loads.include(miss(exact.q, value.q, of_loads), at);
+      if (!with_tangent) continue;
+      const double entry_size = double(largest_entry<Real50>(exact.tangent));
+      out.tangent.include(miss(exact.tangent, value.tangent, entry_size), at);
     }
   }
   return out;
 }
 
-Finding held(Finding f, double value, double limit, const std::string& reason) {
-  f.value = value;
+Finding held(Finding f, const Measurement& m, double limit, const std::string& reason) {
+  f.value = m.value;
+  f.parameter = m.where;
   f.unit = "relative";
   f.high = limit;
   f.oracle = Oracle::independent;
@@ -152,11 +122,9 @@ constexpr double kLimit = 5e-15;
 
 std::vector<Finding> both(const Entry& entry, Kind kind, const std::string& suffix, const Worst& worst,
                           double limit, const std::string& reason) {
-  Finding loads = property_finding(entry, kind, "kernel_loads" + suffix);
-  Finding tangent = property_finding(entry, kind, "kernel_tangent" + suffix);
-  loads.parameter = worst.loads_at, tangent.parameter = worst.tangent_at;
-  return {held(loads, worst.error.loads, limit, reason),
-          held(tangent, worst.error.tangent, limit, "of the largest entry")};
+  return {held(property_finding(entry, kind, "kernel_loads" + suffix), worst.loads, limit, reason),
+          held(property_finding(entry, kind, "kernel_tangent" + suffix), worst.tangent, limit,
+               "of the largest entry")};
 }
 
 std::vector<Finding> in_double(const Entry& entry, Kind kind) {
@@ -170,10 +138,8 @@ std::vector<Finding> in_float(const Entry& entry, Kind kind) {
 }
 
 std::vector<Finding> compensated(const Entry& entry) {
-  Finding loads = property_finding(entry, Kind::angular, "kernel_compensated");
-  const Worst w = worst(entry, Kind::angular, entry.kernel.compensated, 0, false, 1);
-  loads.parameter = w.loads_at;
-  return {held(loads, w.error.loads, 1e-15,
+  return {held(property_finding(entry, Kind::angular, "kernel_compensated"),
+               worst(entry, Kind::angular, entry.kernel.compensated, 0, false, 1).loads, 1e-15,
                "of |K| |strain| from 2e-12 to 1 rad: a few roundings, none of them magnified")};
 }
 
