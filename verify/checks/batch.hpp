@@ -15,8 +15,8 @@ struct BatchJoint {
   reference::QuaternionPose<double> a, b;
   double phi = 0;
   NodeLoads<Real50> exact{};
-  bool near_pole = false;  ///< of its measure, see poles.hpp
-  double scale = 0;        ///< |K| |strain|, what an error of the loads is relative to
+  double steepness = 0;  ///< of its measure, see poles.hpp
+  double scale = 0;      ///< |K| |strain|, what an error of the loads is relative to
 };
 
 /// 40 joints, phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.

@@ -45,7 +45,7 @@ constexpr double kPlain = 4 * std::numeric_limits<double>::epsilon() / 5e-15;
 void solve(const Entry& entry, BatchJoint& j) {
   const auto a = reference::exact_pose(j.a), b = reference::exact_pose(j.b);
   j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
-  j.near_pole = near_pole(entry, j.spec, a, b);
+  j.steepness = steepness(entry, j.spec, a, b);
   const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
   const double loads = j.exact.q.cast<double>().lpNorm<Eigen::Infinity>();
   j.scale = std::max(stiffness(j) * std::max(strain, kPlain), loads);
