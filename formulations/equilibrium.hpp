@@ -52,6 +52,7 @@ struct SolverOptions {
   T smallest_step = T(1e-9);  ///< of the load factor, relative to the whole advance
   T largest_turn = T(0.35);   ///< rad between accepted states; a longer step may change branch
   int iterations_per_step = 12;
+  int most_iterations = 20000;  ///< of one advance, rejected steps included: a path that creeps has an end
 };
 
 /// The load on node b at a factor and pose, in the unknown directions.
@@ -96,6 +97,22 @@ Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matr
     return J.partialPivLu().solve(r);
 }
 
+/// Is the imbalance what the rounding of the loads and of the pose leaves of it, component by component?
+/// Measured over random scenes it is below 10 eps of these; what stopped too early is beyond 1000.
+template <Kind kind, class T, int n>
+bool is_rounding(const Eigen::Matrix<T, n, 1>& imbalance, const Eigen::Matrix<T, n, 1>& load,
+                 const Eigen::Matrix<T, n, n>& J, const Pose<T>& b) {
+  Eigen::Matrix<T, n, 1> reach = Eigen::Matrix<T, n, 1>::Ones();  // of a pose: 1 rad, |x| m
+  if constexpr (kind != Kind::angular) reach.template head<3>().array() += T(b.x.norm());
+  const Eigen::Matrix<T, n, 1> scale = load.cwiseAbs() + J.cwiseAbs() * reach;
+  const T limit = T(100) * Eigen::NumTraits<T>::epsilon();
+  for (int i = 0; i < n; ++i) {
+    using std::abs;
+    if (!(T(abs(imbalance[i])) <= limit * scale[i])) return false;
+  }
+  return true;
+}
+
 /// Newton at one load factor, until the steps stop shrinking: to rounding, not to a tolerance.
 /// @return iterations used, or 0 when it did not converge; `b` is the solution.
 template <Kind kind, class T, class Internal>
@@ -114,10 +131,11 @@ int newton(const Internal& internal, const NodeLoad<T>& load, const T& factor,
     const T size = step.norm();
     singular = !isfinite(size);
     if (singular) return 0;
-    if (i > 1 && size <= start_of_rounding && size >= previous / T(4)) return i;  // only noise is left
+    const bool is_noise = is_rounding<kind, T, unknown_count(kind)>(imbalance, outside.load, J, b);
+    if (i > 1 && is_noise && size <= start_of_rounding && size >= previous / T(4)) return i;
     if (i > 2 && size > previous) return 0;
     b = displaced<kind>(b, step);
-    if (size <= nothing) return i;
+    if (size <= nothing && is_noise) return i;
     previous = size;
   }
   return 0;
@@ -150,7 +168,7 @@ Outcome<T> follow(const Internal& internal, const NodeLoad<T>& load, const Pose<
       continue;
     }
     step /= T(2);
-    if (step < options.smallest_step) {
+    if (step < options.smallest_step || out.iterations > options.most_iterations) {
       out.status = singular ? Status::singular_tangent : Status::no_convergence;
       break;
     }
