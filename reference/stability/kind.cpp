@@ -1,0 +1,67 @@
+#include "reference/stability/kind.hpp"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace halfway::reference {
+
+const char* to_string(StabilityKind kind) {
+  return kind == StabilityKind::stable       ? "stable"
+         : kind == StabilityKind::divergence ? "divergence"
+                                             : "flutter";
+}
+
+template <class T>
+Characteristic<T> characteristic(const Mat3<T>& J, const BodyInertia& body, const Mat3<T>& R) {
+  const Vec3<T> inverse = body.principal.cast<T>().cwiseInverse();
+  const Mat3<T> A = R * inverse.asDiagonal() * R.transpose() * J;
+  const T minors = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) + A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1) +
+                   A(2, 2) * A(0, 0) - A(2, 0) * A(0, 2);
+  return {A.trace(), minors, A.determinant()};
+}
+
+template Characteristic<double> characteristic(const Mat3<double>&, const BodyInertia&, const Mat3<double>&);
+template Characteristic<Real50> characteristic(const Mat3<Real50>&, const BodyInertia&, const Mat3<Real50>&);
+
+Eigen::MatrixXd mass_matrix(const BodyInertia& body, const Mat3<double>& R, int unknowns) {
+  Eigen::MatrixXd M = body.mass * Eigen::MatrixXd::Identity(unknowns, unknowns);
+  M.bottomRightCorner<3, 3>() = R * body.principal.asDiagonal() * R.transpose();
+  return M;
+}
+
+std::vector<std::complex<double>> modes(const Eigen::MatrixXd& J, const Eigen::MatrixXd& M) {
+  const Eigen::MatrixXd A = M.partialPivLu().solve(J);
+  const auto n = std::size_t(A.rows());
+  std::vector<std::complex<double>> out(n, {std::nan(""), std::nan("")});
+  if (!A.allFinite()) return out;
+  gsl_set_error_handler_off();
+  Eigen::MatrixXd rows = A.transpose();  // GSL stores by rows, and destroys its argument
+  gsl_matrix_view matrix = gsl_matrix_view_array(rows.data(), n, n);
+  gsl_vector_complex_view values = gsl_vector_complex_view_array(reinterpret_cast<double*>(out.data()), n);
+  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> work(
+      gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
+  if (gsl_eigen_nonsymm(&matrix.matrix, &values.vector, work.get()) != GSL_SUCCESS)
+    std::fill(out.begin(), out.end(), std::complex<double>(std::nan(""), std::nan("")));
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
+    return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
+  });
+  return out;
+}
+
+StabilityKind stability_kind(const std::vector<std::complex<double>>& modes, double rounding) {
+  double largest = 0, imaginary = 0;
+  for (const auto& mu : modes) {
+    largest = std::max(largest, std::abs(mu));
+    imaginary = std::max(imaginary, std::abs(mu.imag()));
+  }
+  if (imaginary > rounding * largest) return StabilityKind::flutter;
+  return modes.front().real() > 0 ? StabilityKind::stable : StabilityKind::divergence;
+}
+
+}  // namespace halfway::reference

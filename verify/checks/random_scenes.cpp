@@ -1,0 +1,163 @@
+// Ten thousand random scenes: each ends in equilibrium or with a named reason. And five hundred random
+// scene files: each is read, or refused with its line.
+#include "reference/solve.hpp"
+#include "reference/stability/random_scene.hpp"
+#include "reference/stability/random_scene_text.hpp"
+#include "verify/check.hpp"
+#include "verify/worst.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Entry;
+using reference::RandomScene;
+using reference::SceneError;
+
+constexpr int kScenes = 600;  // of each formulation: more than 10 000 with the seventeen of the catalog
+constexpr int kNamed = 25;    // every so many also as a curve, for its sentence
+constexpr int kTexts = 500;
+
+// Converged states measure 0.07 at the median and 26 at worst; what stops too early, 1000 and more.
+constexpr double kSoundLimit = 100;
+constexpr const char* kSoundReason =
+    "rounding of loads and pose, in laws of stiffness ratio 1e8 measured up to 26; four times that";
+constexpr double kEffortLimit = 40000;
+constexpr const char* kEffortReason =
+    "an advance ends after 20 000 iterations at its next rejected step, at most 1e4 iterations later";
+
+struct Tally {
+  int ends[3] = {};         ///< by Status
+  int broken = 0;           ///< not finite, or a status that is none
+  int unnamed = 0;          ///< curves that say nothing
+  Measurement in_rounding;  ///< of converged states
+  Measurement iterations;
+};
+
+void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& tally) {
+  reference::Path<double> path(random.scene, entry, random.xi, random.setting);
+  const Outcome<double>& state = path.advance(1);
+  const auto end = std::size_t(state.status);
+  const std::string where = fmt::format("scene {}, {}", index, to_string(random.scene.joint.kind));
+  const reference::Soundness sound = soundness(random, entry, state);
+  if (end > 2 || !sound.is_finite) ++tally.broken;
+  if (end <= 2) ++tally.ends[end];
+  if (state.status == Status::converged) tally.in_rounding.include(sound.in_rounding, where);
+  tally.iterations.include(state.iterations, where);
+}
+
+/// What a user reads: a sentence, and no row that is not a number.
+bool is_named(const Entry& entry, const RandomScene& random) {
+  reference::Scene scene = random.scene;
+  scene.points = 2;
+  scene.outputs = {scene.joint.kind == Kind::linear ? "u_x" : "theta_x"};
+  const reference::Curve curve = solve_scene(scene, {&entry, random.xi});
+  for (const auto& row : curve.rows) {
+    if (!std::ranges::all_of(row, [](double x) { return std::isfinite(x); })) return false;
+  }
+  return curve.converged ? curve.outcome == "converged"
+                         : curve.outcome.starts_with("stopped at load factor ");
+}
+
+Tally solve_all(const Entry& entry) {
+  reference::Generator generator(20260);
+  Tally tally;
+  for (int i = 0; i < kScenes; ++i) {
+    const RandomScene random = random_scene(generator, entry);
+    solve_one(entry, random, i, tally);
+    if (i % kNamed == 0) tally.unnamed += !is_named(entry, random);
+  }
+  return tally;
+}
+
+Finding finding(const Entry& entry, const std::string& what) {
+  Finding f;
+  f.name = fmt::format("{}/random_scenes/{}", entry.name, what);
+  f.formulation = entry.name;
+  f.subject = "random_scenes";
+  return f;
+}
+
+std::vector<Finding> solved(const Entry& entry) {
+  const Tally tally = solve_all(entry);
+  Finding ends = finding(entry, "without_an_end");
+  ends.value = tally.broken + tally.unnamed;
+  ends.unit = "scenes";
+  ends.parameter =
+      fmt::format("of {}: {} converged, {} stopped at a singular tangent, {} where no load step converges",
+                  kScenes, tally.ends[0], tally.ends[1], tally.ends[2]);
+  ends.reason = "every scene ends with finite numbers and one of three named ends";
+  Finding sound = finding(entry, "imbalance");
+  sound.value = tally.in_rounding.value;
+  sound.parameter = tally.in_rounding.where;
+  sound.unit = "eps of the loads and of the tangent times the pose";
+  sound.oracle = reference::Oracle::independent;
+  sound.high = kSoundLimit;
+  sound.reason = kSoundReason;
+  Finding effort = finding(entry, "iterations");
+  effort.value = tally.iterations.value;
+  effort.parameter = tally.iterations.where;
+  effort.unit = "Newton iterations";
+  effort.high = kEffortLimit;
+  effort.reason = kEffortReason;
+  return {judged(ends), judged(sound), judged(effort)};
+}
+
+/// "": read; else what is wrong with the refusal, or with what was read.
+std::string fault(const std::filesystem::path& file) {
+  try {
+    const reference::Scene scene = reference::read_scene(file);
+    const bool sound = !scene.loads.empty() && scene.factor_end > 0 && std::isfinite(scene.factor_end) &&
+                       std::ranges::all_of(scene.loads, [](const auto& l) { return l.value.allFinite(); });
+    return sound ? "" : "read, but it holds no finite load";
+  } catch (const SceneError& error) {
+    const std::string message = error.what(), head = file.string() + ":";
+    const bool has_line =
+        message.starts_with(head) && std::isdigit(static_cast<unsigned char>(message[head.size()]));
+    return has_line && message.find("; allowed: ") != std::string::npos
+               ? ""
+               : "refused without its line: " + message;
+  } catch (const std::exception& error) {
+    return std::string("another exception: ") + error.what();
+  }
+}
+
+std::vector<Finding> read_all() {
+  const auto folder = std::filesystem::temp_directory_path() / fmt::format("halfway_random_{}", getpid());
+  std::filesystem::create_directories(folder);
+  reference::Generator generator(20261);
+  Finding f;
+  f.name = "scenes/random_mistakes";
+  f.subject = "scenes";
+  f.unit = "files";
+  f.reason = "each is read, or refused with file, line and what is allowed";
+  for (int i = 0; i < kTexts; ++i) {
+    const auto file = folder / "scene.toml";
+    std::ofstream(file, std::ios::binary) << random_scene_text(generator);
+    const std::string what = fault(file);
+    if (what.empty()) continue;
+    f.value += 1;
+    f.parameter = fmt::format("file {}: {}", i, what);
+  }
+  std::filesystem::remove_all(folder);
+  return {judged(f)};
+}
+
+}  // namespace
+
+void random_scenes(Checks& checks) {
+  for (const Entry& entry : reference::formulations()) {
+    checks.push_back(
+        {fmt::format("{}/random_scenes", entry.name), "stability", [&entry] { return solved(entry); }});
+  }
+  checks.push_back({"scenes/random_mistakes", "stability", read_all});
+}
+
+}  // namespace halfway::verify
