@@ -6,6 +6,7 @@
 #include "reports/writers/paper.hpp"
 #include "reports/writers/solids.hpp"
 #include "reports/writers/speed.hpp"
+#include "reports/writers/stability.hpp"
 #include "reports/writers/writers.hpp"
 #include "verify/check.hpp"
 
@@ -111,6 +112,8 @@ void report(const ReportOptions& options) {
   }
   results.durations["verify"] = timed([&] { verify_all(results); });
   results.durations["solve"] = timed([&] { solve_all(results); });
+  results.durations["stability"] =
+      timed([&] { results.stability = stability_record(Progress("where methods fail")); });
   results.durations["time"] = timed([&] { time_all(options, results); });
   write_report(results, options.folder);
 

@@ -15,6 +15,7 @@ import {provenance} from './sections/provenance.js';
 import {reading} from './sections/reading.js';
 import {solidsSection} from './sections/solids.js';
 import {speedSection} from './sections/speed.js';
+import {stabilitySection} from './sections/stability.js';
 import {table1} from './sections/table1.js';
 
 const THETA = {theta_x: 'θ₁', theta_y: 'θ₂', theta_z: 'θ₃'};
@@ -37,7 +38,7 @@ const FIGURES = [
    caption: 'Quadratic in the force; the paper fits its finite elements by ξ = −0.435917.'}
 ];
 
-const NAV = [['accuracy', 'Accuracy'], ['formulations', 'Formulations'], ['speed', 'Speed'], ['table1', 'Table 1'], ['figures', 'Figures'], ['solids', '3D truth'], ['properties', 'Properties'],
+const NAV = [['accuracy', 'Accuracy'], ['formulations', 'Formulations'], ['speed', 'Speed'], ['table1', 'Table 1'], ['figures', 'Figures'], ['stability', 'Failures'], ['solids', '3D truth'], ['properties', 'Properties'],
   ['findings', 'Findings'], ['left-out', 'Left out'], ['reading', 'Reading'], ['provenance', 'Source']];
 
 function build(results, raw) {
@@ -54,7 +55,7 @@ function build(results, raw) {
     h('div', {class: 'first'}, accuracyFigure(results, kind), formulationsTable(results)),
     speedSection(results, kind), table1(results),
     h('section', {'aria-labelledby': 'figures'}, h('h2', {id: 'figures'}, 'The paper’s figures, computed again'), h('div', {class: 'figures'}, figures, bucklingFigure(results), loopWorkFigure(results))),
-    solidsSection(results), propertyMatrix(results), findingsTable(results), leftOut(results), reading(), provenance(results, raw));
+    stabilitySection(results), solidsSection(results), propertyMatrix(results), findingsTable(results), leftOut(results), reading(), provenance(results, raw));
 }
 
 const logged = console.error;

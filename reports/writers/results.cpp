@@ -133,6 +133,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"paper", results.paper},
           {"solids", results.solids},
           {"speed", results.speed},
+          {"stability", results.stability},
           {"durations", results.durations}};
 }
 

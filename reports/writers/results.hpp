@@ -50,10 +50,11 @@ struct Results {
   std::vector<reference::Curve> curves;
   std::vector<bench::Timing> timings;
   std::vector<LeftOut> left_out;
-  nlohmann::json paper = nlohmann::json::object();   ///< printed tables and others' curves, see SCHEMA.md
-  nlohmann::json solids = nlohmann::json::object();  ///< the 3D truth, see SCHEMA.md
-  nlohmann::json speed = nlohmann::json::object();   ///< limits, targets and choices, see SCHEMA.md
-  std::map<std::string, double> durations;           ///< stage of the run -> wall time, s
+  nlohmann::json paper = nlohmann::json::object();      ///< printed tables and others' curves, see SCHEMA.md
+  nlohmann::json solids = nlohmann::json::object();     ///< the 3D truth, see SCHEMA.md
+  nlohmann::json speed = nlohmann::json::object();      ///< limits, targets and choices, see SCHEMA.md
+  nlohmann::json stability = nlohmann::json::object();  ///< where methods fail, see SCHEMA.md
+  std::map<std::string, double> durations;              ///< stage of the run -> wall time, s
 };
 
 /// The catalog as the report shows it, in its order.
