@@ -28,7 +28,7 @@ std::vector<double> row_of(const Scene& scene, double factor, const Value& value
   return row;
 }
 
-void follow_path(const Scene& scene, const Entry& entry, Curve& curve) {
+void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve& curve) {
   Path<double> path(scene, entry, curve.xi);
   const auto add_row = [&] {
     curve.rows.push_back(
@@ -37,6 +37,7 @@ void follow_path(const Scene& scene, const Entry& entry, Curve& curve) {
   add_row();
   for (int i = 1; i <= scene.points && path.state().status == Status::converged; ++i) {
     if (path.advance(scene.factor_end * i / scene.points).status == Status::converged) add_row();
+    if (told) told(i, scene.points);
   }
   curve.converged = path.state().status == Status::converged;
   curve.outcome = describe(path.state());
@@ -57,15 +58,20 @@ void linear_path(const Scene& scene, Curve& curve) {
 
 }  // namespace
 
-Curve solve_scene(const Scene& scene, const Choice& choice) {
+Curve empty_curve(const Scene& scene, const Choice& choice) {
   Curve curve;
   curve.scene = scene.name;
   curve.formulation = choice.entry ? choice.entry->name : kLinearized;
   curve.xi = choice.xi;
   curve.columns = {"factor"};
   curve.columns.insert(curve.columns.end(), scene.outputs.begin(), scene.outputs.end());
+  return curve;
+}
+
+Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
+  Curve curve = empty_curve(scene, choice);
   if (choice.entry) {
-    follow_path(scene, *choice.entry, curve);
+    follow_path(scene, *choice.entry, told, curve);
   } else {
     linear_path(scene, curve);
   }

@@ -4,6 +4,7 @@
 #include "reference/registry.hpp"
 #include "reference/scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,13 @@ std::vector<Choice> choices(const Scene& scene);
 /// Does the formulation take this law? drake_rpy refuses coupling of translation and rotation.
 bool accepts_law(const Entry& entry, const JointSpec& spec);
 
+/// Who is told of each point of a path as it is reached: (points reached, points asked for).
+using Told = std::function<void(int done, int total)>;
+
 /// Solves `scene` with one choice. Never throws for a path that ends early: the outcome says so.
-Curve solve_scene(const Scene& scene, const Choice& choice);
+Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {});
+
+/// The curve of a choice before it is solved: names and columns, no rows.
+Curve empty_curve(const Scene& scene, const Choice& choice);
 
 }  // namespace halfway::reference

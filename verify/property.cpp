@@ -24,6 +24,16 @@ void add_property(Checks& checks, const std::string& property, std::initializer_
   }
 }
 
+Finding held(Finding f, const Measurement& m, double limit, const std::string& reason) {
+  f.value = m.value;
+  f.parameter = m.where;
+  f.unit = "relative";
+  f.high = limit;
+  f.oracle = Oracle::independent;
+  f.reason = reason;
+  return judged(f);
+}
+
 void hold(Finding& f, const Measurement& measured, const Band& band) {
   f.value = measured.value;
   f.parameter = measured.where;

@@ -16,6 +16,9 @@ Finding property_finding(const Entry& entry, Kind kind, const std::string& prope
 void add_property(Checks& checks, const std::string& property, std::initializer_list<Kind> kinds,
                   const std::function<Finding(const Entry&, Kind, Finding)>& measure);
 
+/// A relative error, judged against a limit; an independent road gave what it is the error of.
+Finding held(Finding finding, const Measurement& measured, double limit, const std::string& reason);
+
 /// Holds the measured defect to rounding, or to the declared band of a known failure.
 void hold(Finding& finding, const Measurement& measured, const Band& band);
 

@@ -8,9 +8,17 @@
 
 namespace halfway::reports {
 
-Progress::Progress(std::string stage) : stage_(std::move(stage)), terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string stage, Elsewhere elsewhere)
+    : stage_(std::move(stage)),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      silent_(!terminal_ && elsewhere == Elsewhere::silent) {}
+
+Progress::~Progress() {
+  if (line_open_) fmt::print(stderr, "\n");
+}
 
 void Progress::operator()(int done, int total, const std::string& item) {
+  if (silent_) return;
   const int tenth = total > 0 ? 10 * done / total : 10;
   if (terminal_) {
     fmt::print(stderr, "\r\033[K{} {}/{} {}{}", stage_, done, total, item.substr(0, 60),
@@ -18,6 +26,7 @@ void Progress::operator()(int done, int total, const std::string& item) {
   } else if (tenth > last_tenth_) {
     fmt::print(stderr, "{} {}/{}\n", stage_, done, total);
   }
+  line_open_ = terminal_ && done != total;
   last_tenth_ = tenth;
   std::fflush(stderr);
 }

@@ -1,5 +1,7 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
+#include "reference/stability/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/progress.hpp"
 #include "reports/cli/run_chart.hpp"
 #include "reports/cli/run_choices.hpp"
 #include "reports/cli/run_files.hpp"
@@ -21,6 +23,7 @@ struct RunOptions {
   std::vector<double> xis;
   std::vector<std::string> formats;
   std::string folder = "out/run";
+  bool by_arc = false;
 };
 
 void check_formats(const std::vector<std::string>& formats) {
@@ -31,11 +34,21 @@ void check_formats(const std::vector<std::string>& formats) {
   }
 }
 
-std::vector<reference::Curve> solve_all(const reference::Scene& scene,
+/// One path, its load factor live on a terminal.
+reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
+                       const reference::Choice& choice) {
+  if (options.by_arc) return reference::follow_by_arc(scene, choice);
+  Progress live(curve_label(reference::empty_curve(scene, choice)), Progress::Elsewhere::silent);
+  return reference::solve_scene(scene, choice, [&](int done, int total) {
+    live(done, total, fmt::format("load factor {:g}", scene.factor_end * done / total));
+  });
+}
+
+std::vector<reference::Curve> solve_all(const RunOptions& options, const reference::Scene& scene,
                                         const std::vector<reference::Choice>& choices) {
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
-    curves.push_back(reference::solve_scene(scene, choice));
+    curves.push_back(solve(options, scene, choice));
     fmt::print(stderr, "[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
                curves.back().outcome);
   }
@@ -63,7 +76,7 @@ void run(const RunOptions& options) {
   const auto choices = run_choices(scene, options.formulations, options.xis);
   fmt::print("{}: {}\n", scene.name, scene.title);
   std::fflush(stdout);  // before the progress on stderr
-  const auto curves = solve_all(scene, choices);
+  const auto curves = solve_all(options, scene, choices);
   fmt::print("{}", curves_table(curves));
   write_curves(options, scene, curves);
   if (std::ranges::none_of(curves, &reference::Curve::converged)) {
@@ -82,6 +95,8 @@ void add_run(CLI::App& app) {
       ->delimiter(',');
   command->add_option("--xi", options->xis, "Values of the free xi, separated by commas")->delimiter(',');
   command->add_option("--format", options->formats, "csv, json, svg; default: all")->delimiter(',');
+  command->add_flag("--arc", options->by_arc,
+                    "Follow paths by arc length: on through folds, all singular points named");
   command->add_option("--out", options->folder, "Folder; the curves go to FOLDER/SCENE/")
       ->capture_default_str();
   command->callback([options] { run(*options); });

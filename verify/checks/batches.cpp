@@ -23,12 +23,11 @@ double miss(const E& exact, const V& value) {
   return double(largest_entry<Real50>((value.template cast<Real50>() - exact).eval()));
 }
 
-/// What an error of the tangent is relative to: its largest entry. Where the measure's rate grows by more
-/// than itself per rad, times the growth of what the tangent holds of it, the rate's own derivative: of a
-/// power of the distance to a pole that is about twice the rate's.
+/// What an error of the tangent is relative to: its largest entry, times what the pose's rounding moves of
+/// it where a measure is steep. The tangent holds the rate's own derivative, and of a power of the distance
+/// to a pole that grows about twice as fast per rad as the rate. Rotation vectors are never steep: below 0.3.
 double tangent_scale(const BatchJoint& j) {
-  const double growth = j.steepness > 1 ? 2 * j.steepness : 1;
-  return double(largest_entry<Real50>(j.exact.tangent)) * growth;
+  return double(largest_entry<Real50>(j.exact.tangent)) * std::max(1., 2 * j.steepness);
 }
 
 std::string at(const BatchJoint& j) { return fmt::format("phi = {:.3g} rad", j.phi); }
@@ -76,18 +75,6 @@ constexpr double kLimit = 5e-15;
 constexpr double kInFloat =
     double(std::numeric_limits<float>::epsilon()) / std::numeric_limits<double>::epsilon();
 
-Finding held(const Entry& entry, Kind kind, const std::string& name, const Measurement& error, double limit,
-             const char* reason) {
-  Finding f = property_finding(entry, kind, name);
-  f.parameter = error.where;
-  f.value = error.value;
-  f.unit = "relative";
-  f.high = limit;
-  f.oracle = Oracle::independent;
-  f.reason = reason;
-  return judged(f);
-}
-
 constexpr const char* kLoadsReason =
     "of |K| |strain|, but 4 eps of |K|, what rounding the poses' products leaves of any strain; a dozen "
     "products in a row, half an eps each in the mean";
@@ -127,7 +114,7 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
     all_outputs<float>(entry, single, Law::linear, true, isa, in_float);
     const std::string of = std::string("batch_") + batch::to_string(isa);
     const auto hold = [&](const char* what, const Measurement& error, double at_most, const char* reason) {
-      out.push_back(held(entry, kind, of + what, error, at_most, reason));
+      out.push_back(held(property_finding(entry, kind, of + what), error, at_most, reason));
     };
     const Batch batch({std::string(entry.name), kind}, isa);
     hold("_loads", errors.loads, kLimit, kLoadsReason);

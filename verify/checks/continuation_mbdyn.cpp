@@ -1,10 +1,13 @@
 // MBDyn's paths of Fig. 4, through buckling and beyond, by arc length in both node orders.
 #include "reference/data.hpp"
 #include "reference/stability/continuation_load_steps.hpp"
+#include "verify/mbdyn_orders.hpp"
 #include "verify/scene_access.hpp"
 #include "verify/worst.hpp"
 
 #include <fmt/format.h>
+
+#include <iterator>
 
 namespace halfway::verify {
 namespace {
@@ -16,20 +19,8 @@ using reference::EquilibriumPath;
 
 constexpr const char* kScene = "c3_buckling";
 
-/// MBDyn's case keys: attached or invariant, ground first (gn) or node first (ng).
-struct Order {
-  const char* key;
-  const char* formulation;
-  bool exchanged;
-};
-constexpr Order kOrders[] = {{"att_gn", "attached_a", false},
-                             {"att_ng", "attached_a", true},
-                             {"att_ng", "attached_b", false},
-                             {"inv_gn", "invariant", false},
-                             {"inv_ng", "invariant", true}};
-
 /// Largest turn between MBDyn's state and the path, over all loads.
-std::vector<Finding> against_mbdyn(const Order& order) {
+std::vector<Finding> against_mbdyn(const MbdynOrder& order) {
   reference::Setting setting;
   setting.nodes_exchanged = order.exchanged;
   ContinuationOptions options;
@@ -61,10 +52,12 @@ std::vector<Finding> against_mbdyn(const Order& order) {
 }  // namespace
 
 void continuation_mbdyn(Checks& checks) {
-  for (const Order& order : kOrders) {
+  std::vector<MbdynOrder> orders(std::begin(kMbdynOrders), std::end(kMbdynOrders));
+  orders.push_back({"att_ng", "attached_b", false});  // exchanged nodes by the other law
+  for (const MbdynOrder& order : orders) {
     checks.push_back(
         {fmt::format("mbdyn/c3_arc_length/{}{}", order.formulation, order.exchanged ? "_exchanged" : ""),
-         "stability", [&order] { return against_mbdyn(order); }});
+         "stability", [order] { return against_mbdyn(order); }});
   }
 }
 

@@ -120,16 +120,6 @@ Measurement worst_loads(const Entry& entry, const Entry& by, Kind kind) {
   return worst;
 }
 
-Finding held(Finding f, const Measurement& m, double limit, const std::string& reason) {
-  f.value = m.value;
-  f.parameter = m.where;
-  f.unit = "relative";
-  f.high = limit;
-  f.oracle = Oracle::independent;
-  f.reason = reason;
-  return judged(f);
-}
-
 std::vector<Finding> by_kernel(const Entry& entry, Kind kind) {
   return {
       held(property_finding(entry, kind, "with_kernel"), worst_loads(with_kernel(entry, false), entry, kind),

@@ -107,16 +107,6 @@ Worst worst(const Entry& entry, Kind kind, const reference::KernelEvaluators<T>&
   return out;
 }
 
-Finding held(Finding f, const Measurement& m, double limit, const std::string& reason) {
-  f.value = m.value;
-  f.parameter = m.where;
-  f.unit = "relative";
-  f.high = limit;
-  f.oracle = Oracle::independent;
-  f.reason = reason;
-  return judged(f);
-}
-
 /// A dozen products in a row, half an eps each in the mean; the target of the kernels.
 constexpr double kLimit = 5e-15;
 

@@ -1,5 +1,6 @@
 // MBDyn's own equilibria: Table 1, and the paths of Figs. 3 and 4 in both node orders.
 #include "reference/data.hpp"
+#include "verify/mbdyn_orders.hpp"
 #include "verify/scene_access.hpp"
 
 #include <fmt/format.h>
@@ -9,19 +10,8 @@ namespace {
 
 using reference::Setting;
 
-/// MBDyn's case keys: attached or invariant, ground first (gn) or node first (ng).
-struct Order {
-  const char* key;
-  const char* formulation;
-  bool exchanged;
-};
-constexpr Order kOrders[] = {{"att_gn", "attached_a", false},
-                             {"att_ng", "attached_a", true},
-                             {"inv_gn", "invariant", false},
-                             {"inv_ng", "invariant", true}};
-
 /// Largest difference of theta over a path, rad.
-Finding along(const std::string& scene_name, const Order& order, const nlohmann::json& loads,
+Finding along(const std::string& scene_name, const MbdynOrder& order, const nlohmann::json& loads,
               const nlohmann::json& thetas, double limit, const std::string& reason) {
   Setting setting;
   setting.nodes_exchanged = order.exchanged;
@@ -51,7 +41,7 @@ Finding along(const std::string& scene_name, const Order& order, const nlohmann:
 }  // namespace
 
 void mbdyn_paths(Checks& checks) {
-  for (const Order& order : kOrders) {
+  for (const MbdynOrder& order : kMbdynOrders) {
     const std::string key = order.key;
     checks.push_back(
         {"mbdyn/c1_skewed_torque/" + key, "peers", [order, key] {
