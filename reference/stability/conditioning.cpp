@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 constexpr double kRatio = 100;  ///< of the law: stiffnesses 1 to 100 N m/rad
@@ -122,4 +122,4 @@ ErrorRows errors_over_phi(const Entry& entry) {
   return rows;
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

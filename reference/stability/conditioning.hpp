@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 
 struct ErrorRow {
   std::string what{};  ///< series, e.g. "phi/double"
@@ -54,4 +54,4 @@ ProjectionCost projection_cost();
 /// moments each over their own size.
 ErrorRows errors_over_distance(const Entry& entry);
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 constexpr double kAngle = 0.3;  ///< rad
@@ -138,4 +138,4 @@ std::string scene_refusal(const Mat3<double>& K) {
   return "";
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 JointSpec joint_of(const Entry& entry, Kind kind) {
@@ -113,7 +113,6 @@ ErrorRows errors_over_drift(const Entry& entry) {
 }
 
 ProjectionCost projection_cost() {
-  using Counting = CountingOf<double>;
   const Mat3<Counting> R = so3::exp<double>(Vec3<double>(0.3, -0.8, 0.5)).cast<Counting>();
   return {counted([&] { (void)so3::matrix(so3::quaternion(R)); }), counted([&] { (void)polar_step(R); })};
 }
@@ -133,4 +132,4 @@ ErrorRows errors_over_distance(const Entry& entry) {
   return rows;
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

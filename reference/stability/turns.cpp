@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 constexpr double kLargestStiffness = kTurnStiffness[2];
@@ -127,4 +127,4 @@ LargeRotation large_rotation(const Entry& entry, int axis) {
   return out;
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

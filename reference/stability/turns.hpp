@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 
 /// Stiffness of the angular joint that is turned, N m/rad; nodes without offsets or frames, node a at rest.
 inline constexpr double kTurnStiffness[] = {2, 3, 7};
@@ -88,4 +88,4 @@ TurnCurve turn_curve(const Entry& entry);
 /// With the unwrapped vector, 0 to 3 pi: laws on the rotation vector and on the half-way frame.
 std::vector<TurnCurve> unwrapped_curves();
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

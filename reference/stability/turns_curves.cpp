@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -69,4 +69,4 @@ std::vector<TurnCurve> unwrapped_curves() {
           unwrapped_curve(Conformal{})};
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace halfway::reference::stability {
+namespace halfway::reference {
 namespace {
 
 Mat3<Real50> before_lock(const Sequence& s, const Real50& distance) {
@@ -67,4 +67,4 @@ std::vector<Gimbal> gimbal_locks(const Entry& entry) {
   return out;
 }
 
-}  // namespace halfway::reference::stability
+}  // namespace halfway::reference

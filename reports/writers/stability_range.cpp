@@ -13,8 +13,13 @@
 namespace halfway::reports {
 namespace {
 
-using namespace reference::stability;
 using nlohmann::json;
+using reference::Crossing, reference::ErrorRow, reference::ErrorRows, reference::Gimbal,
+    reference::LargeRotation, reference::ProjectionCost, reference::TurnCurve, reference::TurnPoint,
+    reference::axis_name, reference::errors_at_bad_stiffness, reference::errors_over_distance,
+    reference::errors_over_drift, reference::errors_over_phi, reference::errors_over_ratio,
+    reference::gimbal_locks, reference::kTurnAxes, reference::kTurnStiffness, reference::large_rotation,
+    reference::projection_cost, reference::scene_refusal, reference::turn_curve, reference::unwrapped_curves;
 using reference::Entry;
 
 /// To `digits` significant ones; null where it is not finite.

@@ -12,7 +12,9 @@
 namespace halfway::verify {
 namespace {
 
-using namespace reference::stability;
+using reference::ErrorRow, reference::ErrorRows, reference::errors_at_bad_stiffness,
+    reference::errors_over_distance, reference::errors_over_drift, reference::errors_over_phi,
+    reference::errors_over_ratio, reference::scene_refusal;
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 constexpr double kFloatEps = std::numeric_limits<float>::epsilon();

@@ -13,7 +13,9 @@
 namespace halfway::verify {
 namespace {
 
-using namespace reference::stability;
+using reference::Crossing, reference::Gimbal, reference::axis_name, reference::crossing,
+    reference::gimbal_locks, reference::kTurnAxes, reference::kTurnStiffness, reference::large_rotation,
+    reference::turn_axis;
 using reference::pi50;
 
 /// What of a formulation decides its large rotations: measure, and for projected moments the frame.

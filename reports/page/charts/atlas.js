@@ -37,15 +37,16 @@ function spec(failure) {
   return {height: {step: 17}, data: {values: rows}, mark: {type: 'point', size: 55, strokeWidth: 1.6}, encoding: {x, y, color, shape, opacity, tooltip}};
 }
 
+function tableOf(failure) {
+  const says = (row) => row.limits.map((l) => (l.tolerance ? `${labelOf(l.tolerance)}: ${bound(l, failure.from)}` : bound(l, failure.from))).join('; ');
+  return plainTable(failure.title, [{text: 'formulation'}, {text: 'safe'}, {text: 'a user is told'}], failure.rows.map((r) => [r.formulation, says(r), r.message ?? failure.message]));
+}
+
 function panel(failure) {
   const chart = new Chart(`atlas-${failure.key}`, `${failure.title}: bound of the safe range of each formulation for errors of 1e-3, 1e-6 and 1e-12.`);
   chart.draw(spec(failure));
-  return h('div', {class: 'panel'}, h('h4', {}, failure.title), chart.box, h('p', {class: 'note'}, `Beyond: ${failure.first}.`));
-}
-
-function tableOf(failures) {
-  const rows = failures.flatMap((f) => f.rows.map((r) => [f.title, r.formulation, r.limits.map((l) => `${labelOf(l.tolerance)}: ${bound(l, f.from)}`).join('; '), f.first, r.message ?? f.message]));
-  return plainTable('Safe ranges', [{text: 'failure'}, {text: 'formulation'}, {text: 'safe'}, {text: 'what goes wrong first'}, {text: 'what a user is told'}], rows, 'Safe range for each tolerance, what goes wrong beyond it, and the message');
+  return h('div', {class: 'panel'}, h('h4', {}, failure.title), chart.box, h('p', {class: 'note'}, `Beyond: ${failure.first}.`),
+    h('details', {class: 'more'}, h('summary', {}, 'Numbers and messages'), tableOf(failure)));
 }
 
 export function atlasFigure(results) {
@@ -58,6 +59,5 @@ export function atlasFigure(results) {
   const keys = [...TOLERANCES.map((t) => [t.label, MARKS[t.key]]), ['whatever the tolerance', ANY]].map(([text, mark]) => h('span', {class: 'key'}, swatch(mark), text));
   return h('figure', {class: 'wide', id: 'atlas'}, h('h3', {}, 'Failure atlas'),
     h('p', {class: 'keys'}, 'Safe within', keys), h('div', {class: 'panels'}, failures.map(panel)),
-    h('figcaption', {}, 'Each mark is the bound of what was measured to stay within the tolerance; pale at an edge: all that was tried is safe, paler: none is.'),
-    h('details', {class: 'more'}, h('summary', {}, 'Safe ranges and messages'), tableOf(failures)));
+    h('figcaption', {}, 'Each mark is the bound of what was measured to stay within the tolerance; pale at an edge: all that was tried is safe, paler: none is.'));
 }

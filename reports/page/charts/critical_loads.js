@@ -67,7 +67,7 @@ function modesSpec(kind, moment, only) {
   }));
   const names = [...new Set(rows.map((r) => r.formulation))];
   const faded = only ? {opacity: {condition: {test: `datum.formulation === ${JSON.stringify(only)}`, value: 1}, value: 0.1}} : {};
-  const x = {field: 'load', type: 'quantitative', title: 'moment about axis 1, N·m', scale: {domain: [0, 2000], nice: false}};
+  const x = {field: 'load', type: 'quantitative', title: 'moment about axis 1, N·m', scale: {domain: [0, 2000], nice: false}, axis: {tickCount: 5}};
   const y = {field: 'lowest', type: 'quantitative', title: 'lowest eigenvalue μ, 1/s²', scale: {domain: [-200, 800], nice: false}};
   const color = {field: 'formulation', type: 'nominal', legend: null, scale: {domain: names, range: names.map((n) => look(n).color)}};
   const strokeDash = {field: 'formulation', type: 'nominal', legend: null, scale: {domain: names, range: names.map((n) => (look(n).dash.length ? look(n).dash : [1, 0]))}};
