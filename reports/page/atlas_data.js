@@ -53,10 +53,13 @@ function halfTurns(results) {
 function firstSingular(results) {
   const {curves = [], columns = []} = results.stability.paths ?? {};
   const load = columns.indexOf('factor');
-  return curves.filter((c) => c.load === 'straight' && c.branch === curves.find((o) => o.load === 'straight')?.branch).map((c) => {
+  const straight = curves.filter((c) => c.load === 'straight');
+  const endOf = (c) => c.points.at(-1)?.[load];
+  const largest = Math.max(...straight.map(endOf));
+  return straight.filter((c) => c.branch === straight[0].branch).map((c) => {
     const event = c.events[0];
-    const end = c.points.at(-1)?.[load];
-    return limitRow(results.series(c), event?.factor, end, event ? `${event.type}; ${c.outcome}` : c.outcome);
+    const limit = event?.factor ?? (endOf(c) < largest ? endOf(c) : undefined);
+    return limitRow(results.series(c), limit, largest, event ? `${event.type}; ${c.outcome}` : c.outcome);
   });
 }
 
