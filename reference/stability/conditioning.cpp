@@ -69,6 +69,7 @@ void add_decades(ErrorRows& rows, const Entry& entry, const std::string& what, c
     Worst worst;
     for (int i = 0; i < kSamples; ++i) {
       const Exact<T> exact(entry, spec, turned_pair(g, phi, false));
+      if (exact.phi == 0) continue;  // both poses rounded to one: there is nothing to be relative to
       worst.include(exact.phi, miss<T>(loads(spec, exact), exact.moment, exact.phi));
     }
     rows.push_back({what, std::string(entry.name), worst.phi, worst.error});
