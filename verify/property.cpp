@@ -24,10 +24,11 @@ void add_property(Checks& checks, const std::string& property, std::initializer_
   }
 }
 
-Finding held(Finding f, const Measurement& m, double limit, const std::string& reason) {
+Finding held(Finding f, const Measurement& m, double limit, const std::string& reason,
+             const std::string& unit) {
   f.value = m.value;
   f.parameter = m.where;
-  f.unit = "relative";
+  f.unit = unit;
   f.high = limit;
   f.oracle = Oracle::independent;
   f.reason = reason;

@@ -17,7 +17,8 @@ void add_property(Checks& checks, const std::string& property, std::initializer_
                   const std::function<Finding(const Entry&, Kind, Finding)>& measure);
 
 /// A relative error, judged against a limit; an independent road gave what it is the error of.
-Finding held(Finding finding, const Measurement& measured, double limit, const std::string& reason);
+Finding held(Finding finding, const Measurement& measured, double limit, const std::string& reason,
+             const std::string& unit = "relative");
 
 /// Holds the measured defect to rounding, or to the declared band of a known failure.
 void hold(Finding& finding, const Measurement& measured, const Band& band);

@@ -78,6 +78,17 @@ void add_decades(ErrorRows& rows, const Entry& entry, const std::string& what, c
   add(2), add(3);
 }
 
+/// Nothing where the formulation has no such kernel.
+template <class T>
+void add_kernel(ErrorRows& rows, const Entry& entry, const std::string& what,
+                const KernelEvaluators<T>& kernel, int first) {
+  if (kernel.angular == nullptr) return;
+  const auto loads = [&](const JointSpec& spec, const Exact<T>& e) -> Vec3<T> {
+    return kernel.angular(spec, e.a, e.b, false).m_b;
+  };
+  add_decades<T>(rows, entry, what, loads, first);
+}
+
 }  // namespace
 
 Mat3<double> spread_stiffness(double ratio, bool rotated) {
@@ -90,36 +101,13 @@ Mat3<double> spread_stiffness(double ratio, bool rotated) {
 
 ErrorRows errors_over_phi(const Entry& entry) {
   ErrorRows rows;
-  add_decades<double>(
-      rows, entry, "phi/double",
-      [&](const JointSpec& spec, const Exact<double>& e) -> Vec3<double> {
-        return entry.in_double.angular(spec, matrix_pose(e.a), matrix_pose(e.b), false).m_b;
-      },
-      -16);
-  if (const auto kernel = entry.kernel.in_double.angular) {
-    add_decades<double>(
-        rows, entry, "phi/kernel",
-        [&](const JointSpec& spec, const Exact<double>& e) -> Vec3<double> {
-          return kernel(spec, e.a, e.b, false).m_b;
-        },
-        -16);
-  }
-  if (const auto kernel = entry.kernel.compensated.angular) {
-    add_decades<double>(
-        rows, entry, "phi/compensated",
-        [&](const JointSpec& spec, const Exact<double>& e) -> Vec3<double> {
-          return kernel(spec, e.a, e.b, false).m_b;
-        },
-        -16);
-  }
-  if (const auto kernel = entry.kernel.in_float.angular) {
-    add_decades<float>(
-        rows, entry, "phi/float",
-        [&](const JointSpec& spec, const Exact<float>& e) -> Vec3<float> {
-          return kernel(spec, e.a, e.b, true).m_b;
-        },
-        -8);
-  }
+  const auto matrices = [&](const JointSpec& spec, const Exact<double>& e) -> Vec3<double> {
+    return entry.in_double.angular(spec, matrix_pose(e.a), matrix_pose(e.b), false).m_b;
+  };
+  add_decades<double>(rows, entry, "phi/double", matrices, -16);
+  add_kernel<double>(rows, entry, "phi/kernel", entry.kernel.in_double, -16);
+  add_kernel<double>(rows, entry, "phi/compensated", entry.kernel.compensated, -16);
+  add_kernel<float>(rows, entry, "phi/float", entry.kernel.in_float, -8);
   return rows;
 }
 

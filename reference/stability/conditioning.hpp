@@ -50,8 +50,8 @@ struct ProjectionCost {
 ProjectionCost projection_cost();
 
 /// Strain 0.1 m, over a length of 1e-9 to 1e9 m: "distance/KIND" of both nodes from the origin, arms of
-/// 0.3 m; "offset/KIND" of both joint points from their nodes. KIND: linear, linear_angular. Forces and
-/// moments each over their own size.
+/// 0.3 m; "offset/KIND" of both joint points from their nodes. KIND: linear, linear_angular. Forces over
+/// |K| |strain|, moments over that with the arm; the worst of some poses of random orientation.
 ErrorRows errors_over_distance(const Entry& entry);
 
 }  // namespace halfway::reference

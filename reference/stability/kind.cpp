@@ -1,13 +1,11 @@
 #include "reference/stability/kind.hpp"
 
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
+#include "reference/stability/singular_algebra.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace halfway::reference {
 
@@ -37,17 +35,8 @@ Eigen::MatrixXd mass_matrix(const BodyInertia& body, const Mat3<double>& R, int 
 
 std::vector<std::complex<double>> modes(const Eigen::MatrixXd& J, const Eigen::MatrixXd& M) {
   const Eigen::MatrixXd A = M.partialPivLu().solve(J);
-  const auto n = std::size_t(A.rows());
-  std::vector<std::complex<double>> out(n, {std::nan(""), std::nan("")});
-  if (!A.allFinite()) return out;
-  gsl_set_error_handler_off();
-  Eigen::MatrixXd rows = A.transpose();  // GSL stores by rows, and destroys its argument
-  gsl_matrix_view matrix = gsl_matrix_view_array(rows.data(), n, n);
-  gsl_vector_complex_view values = gsl_vector_complex_view_array(reinterpret_cast<double*>(out.data()), n);
-  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> work(
-      gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
-  if (gsl_eigen_nonsymm(&matrix.matrix, &values.vector, work.get()) != GSL_SUCCESS)
-    std::fill(out.begin(), out.end(), std::complex<double>(std::nan(""), std::nan("")));
+  auto out = eigenvalues(A);
+  if (out.empty()) out.assign(std::size_t(A.rows()), {std::nan(""), std::nan("")});
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
     return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
   });

@@ -2,14 +2,13 @@
 
 #include "reference/instantiations.hpp"
 #include "reference/random.hpp"
+#include "reference/stability/singular_algebra.hpp"
 
-#include <gsl/gsl_eigen.h>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 namespace halfway::reference {
@@ -18,22 +17,10 @@ namespace {
 constexpr int kMostIterations = 1500;  // a linear factor of 0.93 from 1 to 1e-44
 constexpr double kLeastError = 1e-44;
 
-/// Of 3x3. GSL as in spectrum.cpp; it destroys its argument.
 double spectral_radius(const Mat3<double>& m) {
-  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = m;
-  gsl_matrix_view matrix = gsl_matrix_view_array(rows.data(), 3, 3);
-  const std::unique_ptr<gsl_vector_complex, decltype(&gsl_vector_complex_free)> values(
-      gsl_vector_complex_alloc(3), &gsl_vector_complex_free);
-  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> work(
-      gsl_eigen_nonsymm_alloc(3), &gsl_eigen_nonsymm_free);
-  if (!m.allFinite() || gsl_eigen_nonsymm(&matrix.matrix, values.get(), work.get()) != 0) {
-    return std::nan("");
-  }
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const gsl_complex value = gsl_vector_complex_get(values.get(), i);
-    largest = std::max(largest, std::hypot(GSL_REAL(value), GSL_IMAG(value)));
-  }
+  const auto values = eigenvalues(m);
+  double largest = values.empty() ? std::nan("") : 0;
+  for (const auto& value : values) largest = std::max(largest, std::abs(value));
   return largest;
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 double power(Generator& random, double low, double high) { return std::pow(10, random.uniform(low, high)); }
 bool chance(Generator& random, double share) { return random.uniform(0, 1) < share; }
+/// Its direction is drawn in here: after a length that is drawn in the call.
+Vec3<double> arrow(Generator& random, double length) { return length * random.direction(); }
 
 Eigen::VectorXd stiffnesses(Generator& random, int n) {
   const double base = power(random, -3, 1), spread = random.uniform(0, 8);
@@ -34,14 +36,19 @@ Eigen::MatrixXd full(Generator& random, const Eigen::VectorXd& eigenvalues) {
   return (K + K.transpose()) / 2;
 }
 
+double coefficient(Generator& random, double k) {
+  const double size = power(random, -1, 2);
+  return k * size * random.uniform(-1, 1);
+}
+
 LawSpec law(Generator& random, const Entry& entry, const Eigen::VectorXd& k) {
   const auto n = k.size();
   const double which = random.uniform(0, 1);
   if (which < 0.3) {
     PolynomialSpec out{k, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
-      out.k3[i] = k[i] * power(random, -1, 2) * random.uniform(-1, 1);
-      if (chance(random, 0.5)) out.k5[i] = k[i] * power(random, -1, 2) * random.uniform(-1, 1);
+      out.k3[i] = coefficient(random, k[i]);
+      if (chance(random, 0.5)) out.k5[i] = coefficient(random, k[i]);
     }
     return out;
   }
@@ -59,7 +66,7 @@ LawSpec law(Generator& random, const Entry& entry, const Eigen::VectorXd& k) {
 JointEnd<double> end(Generator& random) {
   JointEnd<double> out;
   if (chance(random, 0.3)) return out;
-  out.o = power(random, -6, 3) * random.direction();
+  out.o = arrow(random, power(random, -6, 3));
   out.H = random.rotation(0, std::numbers::pi);
   return out;
 }
@@ -68,10 +75,10 @@ SceneLoad load(Generator& random, Kind kind, double stiffness, bool has_force) {
   const double type = random.uniform(0, 1);
   const double size = chance(random, 0.05) ? power(random, -150, 150) : power(random, -12, 6);
   SceneLoad out;
-  out.value = size * stiffness * random.direction();
+  out.value = arrow(random, size * stiffness);
   if (kind == Kind::linear || (type < 0.4 && !has_force)) {
     out.type = LoadType::fixed_force;
-    if (chance(random, 0.5)) out.point = power(random, -6, 3) * random.direction();
+    if (chance(random, 0.5)) out.point = arrow(random, power(random, -6, 3));
   } else {
     out.type = type < 0.7 ? LoadType::fixed_moment : LoadType::follower_moment;
   }
@@ -82,8 +89,8 @@ Setting setting(Generator& random) {
   Setting out;
   out.nodes_exchanged = chance(random, 0.5);
   if (chance(random, 0.5)) return out;
-  out.frame_turn = random.uniform(0, std::numbers::pi) * random.direction();
-  out.frame_shift = power(random, -3, 3) * random.direction();
+  out.frame_turn = arrow(random, random.uniform(0, std::numbers::pi));
+  out.frame_shift = arrow(random, power(random, -3, 3));
   return out;
 }
 
@@ -131,6 +138,24 @@ RandomScene random_scene(Generator& random, const Entry& entry) {
   }
   out.setting = setting(random);
   return out;
+}
+
+double distance_to_equilibrium(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {
+  const EquilibriumProblem<Real50> problem(random.scene, entry, random.xi, random.setting);
+  const Real50 factor(state.factor), done("1e-30");
+  const Pose<Real50> from = cast<Real50>(state.b);
+  Pose<Real50> b = from;
+  for (int i = 0; i < 12; ++i) {
+    const auto balance = problem.balance(b, factor);
+    const NodeVector<Real50> step = balance.tangent.partialPivLu().solve(balance.imbalance);
+    b = problem.displaced(b, step);
+    if (!(step.norm() > done * (Real50(1) + b.x.norm()))) {
+      const Real50 moved = (b.x - from.x).norm() / (Real50(1) + from.x.norm());
+      const Real50 turned = (b.R - from.R).norm();
+      return std::isfinite(double(step.norm())) ? double(moved + turned) : std::nan("");
+    }
+  }
+  return std::nan("");
 }
 
 Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {

@@ -25,6 +25,10 @@ struct Soundness {
       0;  ///< largest |internal - applied|, in eps (|applied| + |tangent| |pose|), by component
 };
 
+/// How far Newton at 50 digits goes from the state that Path reports to the equilibrium next to it: rad, and
+/// for displacements relative to 1 m + |x|. NaN where it finds none: the state is none.
+double distance_to_equilibrium(const RandomScene& random, const Entry& entry, const Outcome<double>& state);
+
 /// By the formulation's loads themselves, not by the solver or EquilibriumProblem.
 Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome<double>& state);
 

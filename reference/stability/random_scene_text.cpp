@@ -89,7 +89,8 @@ void scramble(Generator& random, Lines& lines) {
 
 void insert(Generator& random, Lines& lines) {
   std::string& line = lines[below(random, lines.size())];
-  line.insert(below(random, line.size() + 1), 1, char(32 + below(random, 95)));
+  const std::size_t at = below(random, line.size() + 1);
+  line.insert(at, 1, char(32 + below(random, 95)));
 }
 
 void break_off(Generator& random, Lines& lines) {

@@ -40,12 +40,11 @@ function loops(results) {
 /** The first of half a turn, or of a pole on the way, about any axis. */
 function halfTurns(results) {
   const names = [...new Set((results.stability.range?.large_rotation ?? []).map((l) => l.formulation))];
-  const ANGLES = {'pi/2': Math.PI / 2, pi: Math.PI, '3pi/2': 1.5 * Math.PI, '3 pi/2': 1.5 * Math.PI, '2pi': 2 * Math.PI, '2 pi': 2 * Math.PI};
   return names.map((formulation) => {
     const found = results.stability.range.large_rotation.filter((l) => l.formulation === formulation)
-      .flatMap((l) => l.crossings.filter((c) => c.behaviour === 'jump' || c.behaviour === 'pole').map((c) => ({x: ANGLES[c.angle], ...c, axis: l.axis})))
-      .filter((c) => isNumber(c.x)).sort((a, b) => a.x - b.x)[0];
-    return limitRow(formulation, found?.x, 2 * Math.PI, found ? `${found.behaviour === 'jump' ? `the moment jumps by ${short(found.jump)} |K|φ` : 'the loads grow without bound'} (axis: ${found.axis})` : 'nothing up to 2π');
+      .flatMap((l) => l.crossings.filter((c) => c.behaviour === 'jump' || c.behaviour === 'pole').map((c) => ({...c, axis: l.axis})))
+      .sort((a, b) => a.phi - b.phi)[0];
+    return limitRow(formulation, found?.phi, 2 * Math.PI, found ? `${found.behaviour === 'jump' ? `the moment jumps by ${short(found.jump)} |K|φ` : 'the loads grow without bound'} (axis: ${found.axis})` : 'nothing up to 2π');
   });
 }
 

@@ -1,14 +1,13 @@
 #include "reports/writers/stability_kind.hpp"
 
-#include "reference/scene.hpp"
 #include "reference/stability/critical.hpp"
+#include "verify/scene_access.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace halfway::reports {
 namespace {
@@ -32,16 +31,8 @@ constexpr std::array<Described, 5> kMoments = {
 
 const std::array<BodyInertia, 2> kBodies = {{{}, {"1:2:2.5", {1, 2, 2.5}, 1}}};
 
-const Scene& block() {
-  static const std::vector<Scene> scenes = canonical_scenes();
-  for (const Scene& s : scenes) {
-    if (s.name == kScene) return s;
-  }
-  throw std::runtime_error(fmt::format("scene {} is missing", kScene));
-}
-
 JointSpec spec_of(const Entry& entry) {
-  JointSpec spec = block().joint;
+  JointSpec spec = verify::scene(kScene).joint;
   spec.xi = entry.probe_xi;
   return spec;
 }

@@ -3,8 +3,8 @@
 #include "reference/solve.hpp"
 #include "reference/stability/branches.hpp"
 #include "reference/stability/continuation_load_steps.hpp"
+#include "verify/scene_access.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace halfway::reports {
@@ -93,18 +93,16 @@ void add_formulation(json& out, const reference::Scene& skewed, const reference:
 }  // namespace
 
 json stability_paths_record() {
-  const auto scenes = reference::canonical_scenes();
-  const auto found = std::ranges::find(scenes, kScene, &reference::Scene::name);
-  if (found == scenes.end()) return json::object();
-  const reference::Scene straight = reference::without_skew(*found, found->critical_axis - 1);
+  const reference::Scene& skewed = verify::scene(kScene);
+  const reference::Scene straight = reference::without_skew(skewed, skewed.critical_axis - 1);
   json out = {
       {"scene", kScene},
       {"columns", {"factor", "theta_x", "theta_y", "theta_z", "phi", "sign", "negative", "eigenvalue"}},
       {"curves", json::array()},
       {"steps", json::array()}};
   for (const reference::Entry& entry : reference::formulations()) {
-    if (reference::accepts_law(entry, found->joint))
-      add_formulation(out, *found, straight, {&entry, entry.probe_xi});
+    if (reference::accepts_law(entry, skewed.joint))
+      add_formulation(out, skewed, straight, {&entry, entry.probe_xi});
   }
   return out;
 }

@@ -51,6 +51,7 @@ json turns(const LargeRotation& l) {
   }
   for (const Crossing& c : l.crossings) {
     crossings.push_back({{"angle", c.angle},
+                         {"phi", c.phi},
                          {"behaviour", c.behaviour},
                          {"jump", rounded(c.jump, 5)},
                          {"moment", rounded(c.moment, 5)},

@@ -153,12 +153,16 @@ std::vector<Finding> over_drift(const Entry& entry) {
 
 std::vector<Finding> over_distance(const Entry& entry) {
   const ErrorRows rows = errors_over_distance(entry);
-  const Scale lever = [](double length) { return 1 + length / 0.1; };
+  // Node and joint points' coordinates, over a strain of 0.1 m.
+  const Scale from_origin = [](double length) { return 1 + (length + 2 * 0.3) / 0.1; };
+  const Scale from_nodes = [](double length) { return 1 + (0.2 + 2 * length) / 0.1; };
   std::vector<Finding> out;
   for (const std::string place : {"distance", "offset"}) {
     for (const std::string kind : {"linear", "linear_angular"}) {
-      Finding f = held(entry, rows, place + "/" + kind, place, kEps, lever, 8,
-                       "rounding of coordinates of that length is eps x length, over a strain of 0.1 m");
+      Finding f = held(
+          entry, rows, place + "/" + kind, place, kEps, place == "distance" ? from_origin : from_nodes, 8,
+          "a turned arm is 5 roundings of its length (matrix of a quaternion, three products), a "
+          "force as many of its own");
       f.name = fmt::format("{}/{}/conditioning_{}", entry.name, kind, place);
       out.push_back(f);
     }

@@ -73,14 +73,10 @@ Finding cubic_and_eigenvalues(const Entry& entry, Kind kind, Finding f) {
       worst.include(std::abs(mu[0] * mu[1] * mu[2] - double(c.det)) / (size * size * size), at);
     }
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "relative to powers of the largest eigenvalue";
-  f.high = 2e-14;
-  f.oracle = Oracle::independent;
-  f.reason =
-      "GSL's balanced QR and the joint's tangent in double, some tens of eps of the largest eigenvalue";
-  return judged(f);
+  return held(
+      f, worst, 2e-14,
+      "GSL's balanced QR and the joint's tangent in double, some tens of eps of the largest eigenvalue",
+      "relative to powers of the largest eigenvalue");
 }
 
 /// The tangent of the forces alone at the turned pose of no force, by the linear kind.
@@ -123,13 +119,8 @@ Finding six_modes(const Entry& entry, Kind kind, Finding f) {
     worst.include(std::max(distance(six, expected), distance(expected, six)),
                   "axis " + std::to_string(axis + 1));
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "relative to the largest eigenvalue";
-  f.oracle = Oracle::independent;
-  f.high = 1e-14;
-  f.reason = "QR in double, some tens of eps of the largest eigenvalue";
-  return judged(f);
+  return held(f, worst, 1e-14, "QR in double, some tens of eps of the largest eigenvalue",
+              "relative to the largest eigenvalue");
 }
 
 /// Strained but without force: springs between turned bodies must not flutter. Largest imaginary part of the

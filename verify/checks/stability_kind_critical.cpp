@@ -102,13 +102,7 @@ Finding second_road(const Entry& entry, Kind, Finding f) {
     }
     worst.include(difference(ours.divergence, theirs), "axis " + std::to_string(axis + 1));
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "relative";
-  f.high = 1e-40;
-  f.oracle = Oracle::independent;
-  f.reason = "both locate to 42 digits or more";
-  return judged(f);
+  return held(f, worst, 1e-40, "both locate to 42 digits or more", "relative");
 }
 
 /// First instability by GSL's eigenvalues in double, sampled and bisected.
@@ -150,14 +144,10 @@ Finding eigenvalue_road(const Entry& entry, Kind, Finding f) {
                     std::string(to_string(setting)) + " moment about " + std::to_string(axis + 1));
     }
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "rad";
-  f.high = 1e-9;
-  f.oracle = Oracle::independent;
-  f.reason =
-      "an imaginary part counts from 1e-6 of the largest eigenvalue, which is its square beyond the meeting";
-  return judged(f);
+  return held(
+      f, worst, 1e-9,
+      "an imaginary part counts from 1e-6 of the largest eigenvalue, which is its square beyond the meeting",
+      "rad");
 }
 
 }  // namespace

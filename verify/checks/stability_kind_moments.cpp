@@ -2,6 +2,7 @@
 #include "reference/stability/moments.hpp"
 #include "verify/check.hpp"
 #include "verify/measures.hpp"
+#include "verify/property.hpp"
 
 namespace halfway::verify {
 namespace {
@@ -40,13 +41,7 @@ std::vector<Finding> by_duals(MomentType type) {
   Finding f;
   f.name = name_of(type, "derivatives");
   f.subject = "stability_kind";
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "N m";
-  f.high = 1e-46;
-  f.oracle = Oracle::independent;
-  f.reason = "50 digits of moments of up to 3 N m, a few operations";
-  return {judged(f)};
+  return {held(f, worst, 1e-46, "50 digits of moments of up to 3 N m, a few operations", "N m")};
 }
 
 /// Ziegler: two half turns across a fixed moment cost nothing, the half turn about it that undoes them does.
