@@ -31,7 +31,9 @@ struct Facts {
   PerKind node_order{};         ///< change of the loads when a and b are exchanged
   PerKind symmetry{};           ///< of the tangent, but for the commutator of the spins
   PerKind loop_work{};          ///< net work round a closed loop of amplitude 0.4 over the turnover
-  double loop_slope = 0;        ///< that work ~ amplitude^slope, angular; 0: none
+  double loop_slope = 0;        ///< that work ~ amplitude^slope, of each kind that does any; 0: none
+  Band clamped_energy{};        ///< change of the energy of a body on the angular joint to a clamped node, of
+                                ///< thousands of periods, relative; {0, 0} of one without potential: any
   bool has_fingerprint = true;  ///< moment on b = K theta + alpha theta x K theta + beta (..) + O(3)
   double alpha = 0.5;
   double beta = 0;  ///< in units of (k1 - k2 + k3)

@@ -17,6 +17,7 @@ struct ChronoBody {
       .symmetry = {.angular = near(0.682), .linear = near(0.546), .linear_angular = near(0.63)},
       .loop_work = {.angular = near(0.19), .linear = near(0.0524), .linear_angular = near(0.19)},
       .loop_slope = 3,
+      .clamped_energy = near(0.3636),
       .alpha = 1};
 
   static constexpr bool kLinearWithoutRotation = false;

@@ -16,6 +16,7 @@ struct DrakeRpy {
   static constexpr Facts facts{.node_order = {.angular = near(0.793), .linear_angular = near(0.599)},
                                .symmetry = {.linear = near(0.0458), .linear_angular = near(0.0279)},
                                .loop_work = {.linear = near(0.00236), .linear_angular = near(0.00229)},
+                               .loop_slope = 4,
                                .beta = 0.5};
 
   /// The torque alone derives from a potential; the midpoint force does not.

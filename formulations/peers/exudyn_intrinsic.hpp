@@ -16,7 +16,8 @@ struct ExudynIntrinsic {
       .moment_balance = {.linear = near(0.00443), .linear_angular = near(0.00142)},
       .symmetry = {.angular = near(0.0558), .linear = near(0.0493), .linear_angular = near(0.0958)},
       .loop_work = {.angular = near(0.000307), .linear = near(0.000191), .linear_angular = near(0.00167)},
-      .loop_slope = 4};
+      .loop_slope = 4,
+      .clamped_energy = near(0.005231)};
 
   static constexpr bool kLinearWithoutRotation = false;
   static constexpr bool has_potential(Kind) { return false; }

@@ -16,6 +16,7 @@ struct MbdynJointInv {
       .symmetry = {.angular = near(0.739), .linear = near(0.567), .linear_angular = near(0.655)},
       .loop_work = {.angular = near(0.151), .linear = near(0.0142), .linear_angular = near(0.168)},
       .loop_slope = 3,
+      .clamped_energy = near(0.243),
       .alpha = 0};
 
   static constexpr bool kLinearWithoutRotation = false;

@@ -14,6 +14,7 @@ struct AttachedA : Family<FrameA, RotationVectorMeasure, Projected> {
       .symmetry = {.angular = near(0.739), .linear_angular = near(0.512)},
       .loop_work = {.angular = near(0.151), .linear_angular = near(0.136)},
       .loop_slope = 3,
+      .clamped_energy = near(0.243),
       .alpha = 0};
 };
 
@@ -26,6 +27,7 @@ struct AttachedB : Family<FrameB, RotationVectorMeasure, Projected> {
       .symmetry = {.angular = near(0.682), .linear_angular = near(0.471)},
       .loop_work = {.angular = near(0.19), .linear_angular = near(0.173)},
       .loop_slope = 3,
+      .clamped_energy = near(0.3636),
       .alpha = 1};
 };
 

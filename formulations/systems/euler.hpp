@@ -18,6 +18,7 @@ struct FieldA : Family<FrameA, Euler312, Projected> {
       .symmetry = {.angular = near(0.715), .linear_angular = near(0.549)},
       .loop_work = {.angular = near(0.131), .linear_angular = near(0.123)},
       .loop_slope = 3,
+      .clamped_energy = near(0.7957),
       .has_fingerprint = false};
 };
 
@@ -29,6 +30,7 @@ struct FieldB : Family<FrameB, Euler312, Projected> {
       .symmetry = {.angular = near(0.941), .linear_angular = near(0.493)},
       .loop_work = {.angular = near(0.199), .linear_angular = near(0.204)},
       .loop_slope = 3,
+      .clamped_energy = near(0.1742),
       .has_fingerprint = false};
 };
 

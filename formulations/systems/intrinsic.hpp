@@ -11,7 +11,8 @@ struct Invariant : Family<FrameHalfway, RotationVectorMeasure, Projected> {
   static constexpr const char* stands_for = "paper \"invariant\", MBDyn invariant forms";
   static constexpr Facts facts{.symmetry = {.angular = near(0.0558), .linear_angular = near(0.0381)},
                                .loop_work = {.angular = near(0.000307), .linear_angular = near(0.000574)},
-                               .loop_slope = 4};
+                               .loop_slope = 4,
+                               .clamped_energy = near(0.005231)};
 };
 
 /// Any real xi [10-12, 19, 30]. The facts are those of xi = 0.3, at which verify probes it.
@@ -24,6 +25,7 @@ struct Intrinsic : Family<FrameWeighted, RotationVectorMeasure, Projected> {
       .symmetry = {.angular = near(0.313), .linear_angular = near(0.202)},
       .loop_work = {.angular = near(0.0667), .linear_angular = near(0.0588)},
       .loop_slope = 3,
+      .clamped_energy = near(0.1046),
       .alpha = kProbeXi};
   explicit Intrinsic(double xi = kProbeXi) : Family{FrameWeighted{xi}} {}
 };

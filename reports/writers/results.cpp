@@ -16,6 +16,7 @@ static void to_json(nlohmann::json& json, const Facts& facts) {
           {"symmetry", facts.symmetry},
           {"loop_work", facts.loop_work},
           {"loop_slope", facts.loop_slope},
+          {"clamped_energy", facts.clamped_energy},
           {"has_fingerprint", facts.has_fingerprint},
           {"alpha", facts.alpha},
           {"beta", facts.beta}};

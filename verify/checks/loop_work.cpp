@@ -21,7 +21,7 @@ Finding relative_work(const Entry& entry, Kind kind, Finding f) {
 }
 
 Finding slope(const Entry& entry, Kind kind, Finding f) {
-  if (entry.facts.loop_slope == 0) {
+  if (entry.facts.loop_work.of(kind).holds()) {
     f.verdict = Verdict::left_out;
     f.reason = "no net work, hence no order in the amplitude";
     return f;
