@@ -102,6 +102,33 @@ std::vector<Finding> tangents() {
   return {tangent(AttachedA{}), tangent(Invariant{}), tangent(Potential{}), tangent(Conformal{})};
 }
 
+/// The half-way frame turns by half of the whole angle, not of the wrapped one: those are pi apart.
+std::vector<Finding> halfway() {
+  Measurement moment, rate;
+  for (const double phi : {2.5, 3.5, 5.5, 8., 17., 29.}) {
+    const Vec3<Real50> theta = Real50(phi) * Vec3<Real50>(2, 3, 6) / Real50(7);
+    const Vec3<Real50> stress = Vec3<Real50>(2, 3, 7).cwiseProduct(theta);
+    const Vec3<Real50> exact = so3::exp<Real50>(theta / Real50(2)) * stress;
+    const Vec3<Real50> m =
+        wound_response<Real50>(Invariant{}, UnwrappedRotation<Real50>(theta), so3::exp(theta)).m;
+    moment.include(double(Real50((m - exact).norm() / stress.norm())), fmt::format("phi = {} rad", phi));
+  }
+  for (const int turns : {1, 2, 3}) {  // where R has no axis: the last one, along which theta goes on
+    const Vec3<Real50> n = Vec3<Real50>(2, 3, 6) / Real50(7),
+                       theta = Real50(2 * turns) * reference::pi50() * n;
+    Mat3<Dual50> turning = Mat3<Dual50>::Identity();
+    const Mat3<Real50> spin = skew(n);
+    for (int i = 0; i < 9; ++i) turning(i).d = spin(i);
+    const auto step = UnwrappedRotation<Dual50>(theta.cast<Dual50>()).tried(turning);
+    for (int i = 0; i < 3; ++i)
+      rate.include(double(abs(step.theta[i].d - n[i])), fmt::format("after {} turns", turns));
+  }
+  return {at_most("unwrapped/halfway/moment", kSubject, moment, kRounding, "relative", Oracle::closed_form,
+                  kRoundingReason),
+          at_most("unwrapped/halfway/full_turn_rate", kSubject, rate, kRounding, "rad/rad",
+                  Oracle::closed_form, kRoundingReason)};
+}
+
 /// As a measure, 4 tan(phi/4) n is regular to 2 pi: with the unwrapped vector the joint is, too.
 std::vector<Finding> conformal_beyond_pi() {
   Measurement worst;
@@ -131,6 +158,7 @@ std::vector<Finding> conformal_beyond_pi() {
 
 void unwrapped_joints(Checks& checks) {
   checks.push_back({"unwrapped/spring", "stability", spring});
+  checks.push_back({"unwrapped/halfway", "stability", halfway});
   checks.push_back({"unwrapped/tangents", "stability", tangents});
   checks.push_back({"unwrapped/conformal", "stability", conformal_beyond_pi});
 }
