@@ -135,39 +135,35 @@ void evaluate_product(const Job<Number>& job) {
   }
 }
 
-/// What of a formulation is compiled for an instruction set.
-struct Built {
-  bool lean, product;
-};
-
-template <class F, Kind kind, Built built, class P, class Number>
+/// @tparam lean  are there loops besides for joints without ends and with a linear law?
+template <class F, Kind kind, bool lean, class P, class Number>
 constexpr void set_functions(Functions<Number>& f) {
   using K = KernelType<F>;
   if constexpr (std::is_same_v<K, typename Served<K, kind>::By>) {
     f.residual = evaluate<K, kind, false, false, P, Number>;
     f.tangent = evaluate<K, kind, true, false, P, Number>;
-    if constexpr (built.lean) {
+    if constexpr (lean) {
       f.lean_residual = evaluate<K, kind, false, true, P, Number>;
       f.lean_tangent = evaluate<K, kind, true, true, P, Number>;
     }
-    if constexpr (built.product) f.product = evaluate_product<K, kind, P, Number>;
+    if constexpr (std::is_same_v<Number, double>) f.product = evaluate_product<K, kind, P, Number>;
   }
 }
 
-template <class F, Built built, class Number, class Isa>
+template <class F, bool lean, class Number, class Isa>
 constexpr void set_kinds(Functions<Number> (&f)[3]) {
   using P = Pack<Number, Isa>;
-  set_functions<F, Kind::angular, built, P>(f[0]);
-  set_functions<F, Kind::linear, built, P>(f[1]);
-  set_functions<F, Kind::linear_angular, built, P>(f[2]);
+  set_functions<F, Kind::angular, lean, P>(f[0]);
+  set_functions<F, Kind::linear, lean, P>(f[1]);
+  set_functions<F, Kind::linear_angular, lean, P>(f[2]);
 }
 
 /// @tparam in_float  are there loops in float?
-template <class F, class Isa, Built built, bool in_float>
+template <class F, class Isa, bool lean, bool in_float>
 constexpr Unit make_unit() {
   Unit unit{};
-  set_kinds<F, built, double, Isa>(unit.in_double);
-  if constexpr (in_float) set_kinds<F, Built{built.lean, false}, float, Isa>(unit.in_float);
+  set_kinds<F, lean, double, Isa>(unit.in_double);
+  if constexpr (in_float) set_kinds<F, lean, float, Isa>(unit.in_float);
   return unit;
 }
 
