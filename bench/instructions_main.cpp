@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "bench/instructions.hpp"
+#include "bench/harness/instructions.hpp"
 
 namespace {
 

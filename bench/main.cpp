@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "bench/case.hpp"
+#include "bench/harness/case.hpp"
 
 int main(int argc, char** argv) try {
   halfway::bench::register_all();

@@ -2,7 +2,7 @@
 // reports runs them for the page; both see the same list.
 #pragma once
 
-#include "reference/finding.hpp"
+#include "reference/record/finding.hpp"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "verify/check.hpp"
-#include "verify/measures.hpp"
+#include "verify/oracle/measures.hpp"
 
 namespace halfway::verify {
 

@@ -1,21 +1,16 @@
-// The commands of the program: one file each, one function each that registers it.
+// The commands: one file each, one function each that registers it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "reports/cli/errors.hpp"
 
-#include <stdexcept>
+namespace CLI {
+class App;
+}
 
 namespace halfway::reports {
 
-/// What the caller got wrong: exit code 2.
-struct BadInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The work was understood and failed: exit code 1.
-struct FailedRun : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+/// Those of this program: cli/commands.cpp of `halfway`, suite/commands.cpp of `halfway-suite`.
+void add_commands(CLI::App& app);
 
 void add_list(CLI::App& app);
 void add_run(CLI::App& app);

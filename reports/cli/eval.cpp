@@ -1,7 +1,8 @@
 // halfway eval: JSON lines on stdin, one answer each on stdout, flushed; exit 0 at the end of input.
 #include "reports/cli/commands.hpp"
-#include "reports/cli/eval_line.hpp"
+#include "reports/eval/eval_line.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <iostream>

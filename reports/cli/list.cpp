@@ -1,8 +1,9 @@
 // halfway list: what can be run.
-#include "reference/registry.hpp"
-#include "reference/scene.hpp"
+#include "reference/face/registry.hpp"
+#include "reference/scene/scene.hpp"
 #include "reports/cli/commands.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

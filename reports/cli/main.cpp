@@ -1,7 +1,8 @@
 // halfway: the command line. Exit codes: 0 done, 1 the run failed, 2 the input is wrong.
-#include "reference/scene.hpp"
+#include "reference/scene/scene.hpp"
 #include "reports/cli/commands.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace {
@@ -20,12 +21,7 @@ int main(int argc, char** argv) {
   using namespace halfway;
   CLI::App app{"Halfway verifies and times deformable joints at finite rotations.", "halfway"};
   app.require_subcommand(1);
-  reports::add_list(app);
-  reports::add_run(app);
-  reports::add_eval(app);
-  reports::add_bench(app);
-  reports::add_report(app);
-  reports::add_reference(app);
+  reports::add_commands(app);
   try {
     app.parse(argc, argv);
     return 0;

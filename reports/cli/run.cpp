@@ -1,13 +1,14 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
-#include "reference/stability/arc_curve.hpp"
+#include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/run_chart.hpp"
 #include "reports/cli/run_choices.hpp"
 #include "reports/cli/run_files.hpp"
-#include "reports/cli/suggest.hpp"
-#include "reports/writers/files.hpp"
+#include "reports/eval/suggest.hpp"
+#include "reports/views/files.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "reports/cli/run_choices.hpp"
 
-#include "reports/cli/commands.hpp"
-#include "reports/cli/suggest.hpp"
+#include "reports/cli/errors.hpp"
+#include "reports/eval/suggest.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Which scene and which formulations `halfway run` was asked for.
 #pragma once
 
-#include "reference/solve.hpp"
+#include "reference/solve/solve.hpp"
 
 #include <string>
 #include <vector>

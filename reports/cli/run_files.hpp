@@ -1,7 +1,7 @@
 // The curves of one scene as text: CSV, JSON, and a table for the terminal.
 #pragma once
 
-#include "reference/solve.hpp"
+#include "reference/solve/solve.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // eval: mutated requests of a fixed seed; each must be answered by one valid line.
-#include "reports/cli/eval_line.hpp"
+#include "reports/eval/eval_line.hpp"
 #include "reports/tests/eval_support.hpp"
 
 #include <boost/test/unit_test.hpp>

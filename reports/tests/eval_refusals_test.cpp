@@ -1,5 +1,5 @@
 // eval: every kind of bad line is answered by its code and field, and nothing else happens.
-#include "reports/cli/eval_line.hpp"
+#include "reports/eval/eval_line.hpp"
 #include "reports/tests/eval_support.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,6 +1,6 @@
 #include "reports/tests/eval_support.hpp"
 
-#include "reports/cli/eval_line.hpp"
+#include "reports/eval/eval_line.hpp"
 
 #include <boost/test/unit_test.hpp>
 

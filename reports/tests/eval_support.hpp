@@ -1,7 +1,7 @@
 // Requests that the tests start from.
 #pragma once
 
-#include "reference/registry.hpp"
+#include "reference/face/registry.hpp"
 
 #include <nlohmann/json.hpp>
 

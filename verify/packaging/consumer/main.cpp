@@ -1,5 +1,5 @@
-#include <formulations/joint.hpp>
-#include <formulations/systems/intrinsic.hpp>
+#include <halfway/joint.hpp>
+#include <halfway/systems/intrinsic.hpp>
 
 #include <iostream>
 

@@ -2,7 +2,7 @@
 // half-way frame, a measure that the suite's catalog does not have. Conjugate, hence without any defect.
 #pragma once
 
-#include "formulations/family.hpp"
+#include "halfway/joint/family.hpp"
 
 namespace halfway {
 

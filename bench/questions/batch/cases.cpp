@@ -1,0 +1,93 @@
+// Which batches are timed.
+#include "bench/harness/flops.hpp"
+#include "bench/questions/batch/problem.hpp"
+
+#include "reference/face/registry.hpp"
+
+namespace halfway::bench {
+
+Cases batch_cases();
+
+namespace {
+
+using batch::Isa, batch::Output;
+
+constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
+
+std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind kind, bool ends) {
+  const double xi = reference::find_formulation(formulation)->probe_xi;
+  return std::make_shared<const Inputs>(inputs(kind, xi, false, ends));
+}
+
+/// A lane does what the kernel of one joint does. The batch's own dual numbers (J v) are not counted.
+double batch_flops(const BatchProblem& p) {
+  if (p.output == Output::product) return 0;
+  const char* what = p.output == Output::residual ? "/residual/kernel" : "/residual_tangent/kernel";
+  return kept_flops(p.formulation + '/' + to_string(p.in->spec.kind) + what + (p.ends ? "" : "/no_ends"));
+}
+
+template <class T>
+void add(Cases& cases, const BatchProblem& p) {
+  if (!can_run<T>(p)) return;
+  cases.push_back(batch_case<T>(p));
+  cases.back().flops = batch_flops(p);
+}
+
+/// Tables in L1 and L2; joints without ends, as the kernels' variant of that name.
+void add_by_isa(Cases& cases, const std::string& formulation, Kind kind) {
+  const auto in = inputs_for(formulation, kind, false);
+  for (const Isa isa : kIsas) {
+    for (const Output output : {Output::residual, Output::tangent}) {
+      const BatchProblem p{in, formulation, isa, output, kPoses};
+      add<double>(cases, p);
+      add<float>(cases, p);
+    }
+  }
+  add<double>(cases, {in, formulation, batch::choose({}), Output::product, kPoses});
+  if (kind != Kind::angular)
+    add<double>(cases, {in, formulation, batch::choose({}), Output::tangent_144, kPoses});
+}
+
+/// From L1 to DRAM.
+void add_by_number(Cases& cases, Kind kind) {
+  const auto in = inputs_for("invariant", kind, false);
+  for (const long joints : {1L, 8L, 64L, 512L, 4096L, 30000L, 250000L, 1000000L}) {
+    for (const Output output : {Output::residual, Output::tangent}) {
+      add<double>(cases, {in, "invariant", batch::choose({}), output, joints});
+    }
+  }
+}
+
+void add_threads(Cases& cases, Kind kind, Output output) {
+  const auto in = inputs_for("invariant", kind, false);
+  for (const int threads : {1, 2}) {
+    BatchProblem p{in, "invariant", batch::choose({}), output, 100000};
+    p.options.threads = threads;
+    add<double>(cases, p);
+  }
+}
+
+}  // namespace
+
+Cases batch_cases() {
+  Cases cases;
+  for (const reference::Entry& entry : reference::formulations()) {
+    if (!entry.wide) continue;
+    add_by_isa(cases, std::string(entry.name), Kind::angular);
+    add_by_isa(cases, std::string(entry.name), Kind::linear);
+  }
+  add_by_isa(cases, "attached_a", Kind::linear_angular), add_by_isa(cases, "invariant", Kind::linear_angular);
+  // What joint points and frames apart from the nodes cost.
+  for (const Kind kind : {Kind::angular, Kind::linear, Kind::linear_angular}) {
+    BatchProblem p{
+        inputs_for("invariant", kind, true), "invariant", batch::choose({}), Output::tangent, kPoses, true};
+    add<double>(cases, p);
+  }
+  add_by_number(cases, Kind::angular), add_by_number(cases, Kind::linear);
+  for (const Output output : {Output::residual, Output::tangent}) {
+    add_threads(cases, Kind::angular, output), add_threads(cases, Kind::linear, output);
+  }
+  return cases;
+}
+
+}  // namespace halfway::bench

@@ -1,0 +1,78 @@
+// Flops of a formulation's joints, counted by running them. Only halfway_flops is made of it: the counting
+// scalar doubles the compile time of what it meets.
+#pragma once
+
+#include "bench/harness/flops.hpp"
+#include "bench/questions/kernels/kernel_joint.hpp"
+#include "halfway/kernels/core/compensated.hpp"
+#include "reference/face/registry.hpp"
+#include "reference/numbers/counting.hpp"
+
+#include <type_traits>
+
+namespace halfway::bench {
+
+/// Of one evaluation of the transcription, the mean over every eighth pose: branches differ.
+template <class F, Kind kind, bool with_tangent>
+double transcription_flops(const Inputs& in) {
+  using reference::Counting;
+  const auto joint = make_joint<F, kind, Counting>(in.spec);
+  constexpr int kStep = 8;
+  const auto count = reference::counted([&] {
+    for (int i = 0; i < kPoses; i += kStep) {
+      (void)loads<with_tangent>(joint, reference::cast<Counting>(in.a[i]),
+                                reference::cast<Counting>(in.b[i]));
+    }
+  });
+  return double(count.flops()) * kStep / kPoses;
+}
+
+/// Of one evaluation of the kernel: it has no branches, one pose tells all.
+template <class F, Kind kind, bool with_tangent, class Accuracy, class E>
+double kernel_flops(const Inputs& in) {
+  using reference::Counting;
+  const auto joint = static_kernel_joint<F, kind, Counting, E>(in.spec);
+  const auto cast = [](const reference::QuaternionPose<double>& p) {
+    return reference::plain(reference::QuaternionPose<Counting>{p.x.cast<Counting>(), p.q.cast<Counting>()});
+  };
+  const auto a = cast(in.qa.front()), b = cast(in.qb.front());
+  const auto count = reference::counted([&] {
+    if constexpr (kind == Kind::angular)
+      (void)kernel::loads<with_tangent, Accuracy>(joint, a.q, b.q);
+    else
+      (void)kernel::loads<with_tangent, Accuracy>(joint, a, b);
+  });
+  return double(count.flops());
+}
+
+/// The kernel with another accuracy, by the name of its benchmark.
+template <class F, Kind kind, bool with_tangent, class Accuracy, class E>
+void count_kernel(Flops& flops, const Inputs& in, const std::string& variant) {
+  const std::string name = std::string(F::name) + '/' + to_string(kind) +
+                           (with_tangent ? "/residual_tangent" : "/residual") + "/kernel" + variant;
+  flops[name] = kernel_flops<F, kind, with_tangent, Accuracy, E>(in);
+}
+
+template <class F, Kind kind, bool with_tangent>
+void count(Flops& flops) {
+  using Ends = kernel::Ends<reference::Counting>;
+  const Inputs in = inputs_of<F>(kind);
+  flops[std::string(F::name) + '/' + to_string(kind) + (with_tangent ? "/residual_tangent" : "/residual")] =
+      transcription_flops<F, kind, with_tangent>(in);
+  if constexpr (kernel::kHasKernel<F>) {
+    count_kernel<F, kind, with_tangent, kernel::Accuracy<>, Ends>(flops, in, "");
+    count_kernel<F, kind, with_tangent, kernel::Accuracy<>, kernel::NoEnds>(flops, inputs_of<F>(kind, false),
+                                                                            "/no_ends");
+  }
+}
+
+template <class F>
+Flops count() {
+  Flops flops;
+  count<F, Kind::angular, false>(flops), count<F, Kind::angular, true>(flops);
+  count<F, Kind::linear, false>(flops), count<F, Kind::linear, true>(flops);
+  count<F, Kind::linear_angular, false>(flops), count<F, Kind::linear_angular, true>(flops);
+  return flops;
+}
+
+}  // namespace halfway::bench

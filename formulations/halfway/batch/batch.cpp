@@ -1,0 +1,107 @@
+#include "halfway/batch/batch.hpp"
+
+#include "halfway/batch/entries.hpp"
+#include "halfway/batch/run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace halfway::batch {
+namespace {
+
+using detail::Entry;
+
+const Entry& entry_named(const std::string& name) {
+  std::string known;
+  for (const Entry& e : detail::entries()) {
+    if (e.name == name) return e;
+    known += (known.empty() ? "" : ", ") + std::string(e.name);
+  }
+  throw std::invalid_argument("formulation '" + name + "' has no batch; known: " + known);
+}
+
+/// The formulation whose code serves `name` for this kind.
+const Entry& serving(const std::string& name, Kind kind) {
+  const Entry& own = entry_named(name);
+  for (const Entry& e : detail::entries()) {
+    if (e.kernel == own.served[int(kind)]) return e;
+  }
+  throw std::invalid_argument("formulation '" + name +
+                              "': the one whose kernel it shares is not in the catalog");
+}
+
+template <class T>
+const detail::Functions<T>& functions(const detail::Unit& unit, Kind kind) {
+  if constexpr (std::is_same_v<T, double>)
+    return unit.in_double[int(kind)];
+  else
+    return unit.in_float[int(kind)];
+}
+
+template <class T>
+detail::Evaluate<T> function(const detail::Functions<T>& f, Output output) {
+  return output == Output::residual ? f.residual : output == Output::product ? f.product : f.tangent;
+}
+
+/// The same function, or its lean twin where this call can do with it.
+template <class T>
+detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, Law law, const Joints<T>& joints) {
+  const bool lean = law == Law::linear && joints.a == nullptr && output != Output::product;
+  const auto twin = output == Output::residual ? f.lean_residual : f.lean_tangent;
+  return lean && twin != nullptr ? twin : function(f, output);
+}
+
+}  // namespace
+
+Batch::Batch(const Model& model, std::optional<Isa> isa)
+    : model_(model), widest_(choose(isa)), served_by_(&serving(model.formulation, model.kind)) {}
+
+bool Batch::knows(std::string_view formulation) {
+  return std::ranges::any_of(detail::entries(), [&](const Entry& e) { return e.name == formulation; });
+}
+
+template <class T>
+Batch::Code<T> Batch::code(Output output) const {
+  if (output == Output::tangent_144 && model_.kind == Kind::angular) return {};
+  for (int isa = int(widest_); isa >= 0; --isa) {
+    const detail::Unit* const unit = served_by_->units[isa];
+    if (unit == nullptr) continue;
+    const detail::Functions<T>& f = functions<T>(*unit, model_.kind);
+    if (function(f, output) != nullptr) return {&f, Isa(isa)};
+  }
+  return {};
+}
+
+template <class T>
+bool Batch::has(Output output) const {
+  return code<T>(output).functions != nullptr;
+}
+
+template <class T>
+Isa Batch::isa(Output output) const {
+  return code<T>(output).isa;
+}
+
+template <class T>
+void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output output,
+                     const Options& options) const {
+  const Code<T> c = code<T>(output);
+  if (c.functions == nullptr) {
+    throw std::invalid_argument(model_.formulation + '/' + halfway::to_string(model_.kind) + " in " +
+                                (sizeof(T) == 4 ? "float" : "double") +
+                                ": this output is not built for the instruction sets in use");
+  }
+  const int lanes = (16 << int(c.isa)) / int(sizeof(T));
+  detail::run(detail::Work<T>{model_, joints, results, output,
+                              leanest(*c.functions, output, model_.law, joints), lanes},
+              options);
+}
+
+template bool Batch::has<double>(Output) const;
+template bool Batch::has<float>(Output) const;
+template Isa Batch::isa<double>(Output) const;
+template Isa Batch::isa<float>(Output) const;
+template void Batch::evaluate(const Joints<double>&, const Results<double>&, Output, const Options&) const;
+template void Batch::evaluate(const Joints<float>&, const Results<float>&, Output, const Options&) const;
+
+}  // namespace halfway::batch

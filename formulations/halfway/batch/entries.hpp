@@ -1,0 +1,22 @@
+// The formulations that have a batch, and the code that serves each.
+#pragma once
+
+#include "halfway/batch/job.hpp"
+#include "halfway/joint/pose.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace halfway::batch::detail {
+
+struct Entry {
+  std::string_view name;
+  const void* kernel;     ///< identity of its own kernel
+  const void* served[3];  ///< identity of the kernel that serves it, by kind
+  const Unit* units[3];   ///< by instruction set; nullptr: not built
+};
+
+/// In the order of catalog.def.
+std::span<const Entry> entries();
+
+}  // namespace halfway::batch::detail

@@ -1,0 +1,48 @@
+#include "halfway/batch/isa.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace halfway::batch {
+namespace {
+
+constexpr Isa kAll[] = {Isa::avx512, Isa::avx2, Isa::sse2};
+
+std::string missing(const std::string& name, const char* from) {
+  std::string has;
+  for (const Isa isa : kAll) {
+    if (available(isa)) has += std::string(has.empty() ? "" : ", ") + to_string(isa);
+  }
+  return "instruction set " + name + from + ": this machine has " + has;
+}
+
+}  // namespace
+
+const char* to_string(Isa isa) { return isa == Isa::sse2 ? "sse2" : isa == Isa::avx2 ? "avx2" : "avx512"; }
+
+bool available(Isa isa) {
+#ifdef __x86_64__
+  if (isa == Isa::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (isa == Isa::avx512) {
+    return available(Isa::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+  }
+#endif
+  return isa == Isa::sse2;
+}
+
+Isa choose(std::optional<Isa> wanted) {
+  if (wanted) {
+    if (!available(*wanted)) throw std::invalid_argument(missing(to_string(*wanted), ""));
+    return *wanted;
+  }
+  const char* const name = std::getenv("HALFWAY_ISA");
+  const std::string_view forced = name == nullptr ? "" : name;
+  for (const Isa isa : kAll) {
+    if (forced.empty() ? available(isa) : forced == to_string(isa) && available(isa)) return isa;
+  }
+  throw std::invalid_argument(missing("'" + std::string(forced) + "'", " of HALFWAY_ISA"));
+}
+
+}  // namespace halfway::batch

@@ -1,0 +1,183 @@
+#include "halfway/batch/run.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace halfway::batch::detail {
+namespace {
+
+/// Streaming stores pay for results larger than this (bytes; measured: from 5 MB on with 1 MB of L2, by
+/// 1.3, and by 2.8 from 20 MB on), where a store is a whole cache line: with 16 or 32 bytes on as many
+/// rows as a tangent has they take 3 to 4 times as long.
+constexpr long kKeptInCache = 8L << 20;
+constexpr int kCacheLine = 64;
+
+constexpr int kMaxLanes = 16;
+constexpr int kMaxLawRows = 21;
+
+struct Range {
+  long begin = 0, end = 0;
+};
+
+/// Numbers of shared laws, one pack of copies each.
+template <class T>
+struct LawCopies {
+  alignas(64) T numbers[kMaxLawRows * kMaxLanes];
+
+  explicit LawCopies(const Work<T>& w) {
+    const Columns<const T>& law = w.joints.law;
+    for (int row = 0; row < law_rows(w.model.kind, w.model.law); ++row) {
+      std::fill_n(numbers + row * w.lanes, w.lanes, law.first[row * law.stride]);
+    }
+  }
+};
+
+template <class T>
+Columns<T> moved(const Columns<T>& c, long by) {
+  return {c.first == nullptr ? nullptr : c.first + by, c.stride};
+}
+
+template <class T>
+Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
+  const Joints<T>& j = w.joints;
+  Job<T> job;
+  job.count = r.end - r.begin;
+  job.q_a = moved(j.q_a, r.begin), job.q_b = moved(j.q_b, r.begin);
+  job.x_a = moved(j.x_a, r.begin), job.x_b = moved(j.x_b, r.begin);
+  job.direction = moved(j.direction, r.begin);
+  job.law = shared != nullptr ? Columns<const T>{shared->numbers, w.lanes} : moved(j.law, r.begin);
+  job.law_step = shared != nullptr ? 0 : 1;
+  job.polynomial = w.model.law == Law::polynomial;
+  job.a = j.a, job.b = j.b;
+  job.xi = w.model.xi;
+  job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);
+  job.all_entries = w.output == Output::tangent_144;
+  return job;
+}
+
+/// The last joints, fewer than a pack: through tables of one pack, filled up with copies of the last one.
+template <class T>
+class Tail {
+ public:
+  Tail(const Work<T>& w, const Job<T>& job) : work_(w), job_(job) {}
+
+  void run() {
+    const Kind kind = work_.model.kind;
+    Job<T> pack = job_;
+    pack.count = work_.lanes;
+    pack.q_a = read(job_.q_a, 4), pack.q_b = read(job_.q_b, 4);
+    if (kind != Kind::angular) pack.x_a = read(job_.x_a, 3), pack.x_b = read(job_.x_b, 3);
+    if (work_.output == Output::product) pack.direction = read(job_.direction, direction_rows(kind));
+    if (job_.law_step != 0) pack.law = read(job_.law, law_rows(kind, work_.model.law));
+    pack.loads = place(load_rows(kind)), pack.tangent = place(tangent_rows(kind, work_.output));
+    work_.function(pack);
+    write(pack.loads, job_.loads, load_rows(kind));
+    write(pack.tangent, job_.tangent, tangent_rows(kind, work_.output));
+  }
+
+ private:
+  Columns<T> place(int rows) {
+    const Columns<T> c{numbers_ + used_, work_.lanes};
+    used_ += rows * work_.lanes;
+    return c;
+  }
+  Columns<const T> read(const Columns<const T>& from, int rows) {
+    const Columns<T> to = place(rows);
+    for (int row = 0; row < rows; ++row) {
+      for (long i = 0; i < work_.lanes; ++i) {
+        to.first[row * to.stride + i] = from.first[row * from.stride + std::min(i, job_.count - 1)];
+      }
+    }
+    return {to.first, to.stride};
+  }
+  void write(const Columns<T>& from, const Columns<T>& to, int rows) const {
+    for (int row = 0; row < rows; ++row) {
+      std::copy_n(from.first + row * from.stride, job_.count, to.first + row * to.stride);
+    }
+  }
+
+  static constexpr int kMaxRows = 4 + 4 + 3 + 3 + 12 + kMaxLawRows + 9 + 144;
+  const Work<T>& work_;
+  const Job<T>& job_;
+  int used_ = 0;
+  alignas(64) T numbers_[kMaxRows * kMaxLanes];
+};
+
+void end_of_streaming() {
+#ifdef __x86_64__
+  __builtin_ia32_sfence();  // what was streamed is seen before the results are said to be ready
+#endif
+}
+
+template <class T>
+void run_range(const Work<T>& w, Range r, const LawCopies<T>* shared, bool past_caches) {
+  const long whole = (r.end - r.begin) / w.lanes * w.lanes;
+  if (whole > 0) {
+    Job<T> job = job_of(w, {r.begin, r.begin + whole}, shared);
+    job.past_caches = past_caches;
+    w.function(job);
+    if (past_caches) end_of_streaming();
+  }
+  if (r.begin + whole < r.end) {
+    const Job<T> rest = job_of(w, {r.begin + whole, r.end}, shared);
+    Tail<T>(w, rest).run();
+  }
+}
+
+bool on_boundary(const void* p, long stride_bytes) {
+  return reinterpret_cast<std::uintptr_t>(p) % 64 == 0 && stride_bytes % 64 == 0;
+}
+
+template <class T>
+bool past_caches(const Work<T>& w, Streaming streaming) {
+  const auto& [loads, tangent] = w.results;
+  if (streaming == Streaming::never || w.output == Output::residual || w.output == Output::product)
+    return false;
+  constexpr long kSize = sizeof(T);
+  if (!on_boundary(loads.first, loads.stride * kSize) ||
+      !on_boundary(tangent.first, tangent.stride * kSize)) {
+    return false;
+  }
+  if (streaming == Streaming::always) return true;
+  if (w.lanes * kSize != kCacheLine) return false;
+  const int rows = load_rows(w.model.kind) + tangent_rows(w.model.kind, w.output);
+  return rows * kSize * w.joints.count > kKeptInCache;
+}
+
+/// Equal shares; all but the last end on a boundary of 64 joints, whatever the pack: no two threads write
+/// to one line.
+std::vector<Range> shares(long count, int threads) {
+  constexpr long kBlock = 64;
+  const long blocks = (count + kBlock - 1) / kBlock;
+  std::vector<Range> out;
+  for (int k = 0; k < threads; ++k) {
+    const Range r{std::min(count, blocks * k / threads * kBlock),
+                  std::min(count, blocks * (k + 1) / threads * kBlock)};
+    if (r.begin < r.end) out.push_back(r);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <class T>
+void run(const Work<T>& work, const Options& options) {
+  std::optional<LawCopies<T>> copies;
+  if (!work.joints.law_per_joint) copies.emplace(work);
+  const LawCopies<T>* const shared = copies ? &*copies : nullptr;
+  const bool streamed = past_caches(work, options.streaming);
+  if (options.threads <= 1) return run_range(work, {0, work.joints.count}, shared, streamed);
+  const std::vector<Range> parts = shares(work.joints.count, options.threads);
+  std::vector<std::jthread> others;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    others.emplace_back([&, k] { run_range(work, parts[k], shared, streamed); });
+  }
+  if (!parts.empty()) run_range(work, parts[0], shared, streamed);
+}
+
+template void run(const Work<double>&, const Options&);
+template void run(const Work<float>&, const Options&);
+
+}  // namespace halfway::batch::detail

@@ -1,0 +1,21 @@
+// From a batch to calls of its kernel: shares of the threads, whole packs, and the last joints.
+#pragma once
+
+#include "halfway/batch/batch.hpp"
+
+namespace halfway::batch::detail {
+
+template <class T>
+struct Work {
+  const Model& model;
+  const Joints<T>& joints;
+  const Results<T>& results;
+  Output output;
+  Evaluate<T> function;
+  int lanes;  ///< joints in one pack
+};
+
+template <class T>
+void run(const Work<T>& work, const Options& options);
+
+}  // namespace halfway::batch::detail

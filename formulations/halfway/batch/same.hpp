@@ -1,0 +1,40 @@
+// Kernels that do not differ for a kind of joint are compiled once.
+#pragma once
+
+#include "halfway/kernels/kernel.hpp"
+
+namespace halfway::batch::detail {
+
+/// The kernel that serves K for this kind.
+template <class K, Kind kind>
+struct Served {
+  using By = K;
+};
+/// A force alone sees the frame, not the measure.
+template <class Translation, class Measure, class Transport>
+requires(
+    Translation::kFrame) struct Served<kernel::FamilyKernel<Translation, Measure, Transport>, Kind::linear> {
+  using By = kernel::FamilyKernel<Translation, RotationVectorMeasure, Projected>;
+};
+template <class Measure>
+struct Served<kernel::FamilyKernel<Se3Translation, Measure, Conjugate>, Kind::angular> {
+  using By = kernel::FamilyKernel<FrameHalfway, Measure, Conjugate>;
+};
+template <>
+struct Served<kernel::ExudynKernel, Kind::angular> {
+  using By = kernel::ExudynKernel::Half;
+};
+template <>
+struct Served<kernel::MbdynJointInvKernel, Kind::angular> {
+  using By = kernel::MbdynJointInvKernel::AtA;
+};
+/// -law(-e) is law(e) for the laws of a batch: linear, and odd polynomials.
+template <>
+struct Served<kernel::ChronoKernel, Kind::angular> {
+  using By = kernel::ChronoKernel::AtB;
+};
+
+template <class F>
+using KernelType = decltype(kernel::KernelOf<F>::make(*static_cast<const F*>(nullptr)));
+
+}  // namespace halfway::batch::detail

@@ -1,0 +1,170 @@
+// The loops of one formulation over packs of joints; included only by the generated units.
+#pragma once
+
+#include "halfway/batch/law.hpp"
+#include "halfway/batch/results.hpp"
+#include "halfway/batch/same.hpp"
+#include "halfway/kernels/core/dual.hpp"
+#include "halfway/kernels/joint.hpp"
+
+namespace halfway::batch::detail {
+
+using kernel::ExactAngle, kernel::Quat, kernel::V3;
+
+/// Rows of joints i .. i + lanes of a table.
+template <class P, class Number>
+HALFWAY_INLINE V3<P> vector_at(const Columns<const Number>& c, int row, long i) {
+  const Number* const p = c.first + row * c.stride + i;
+  return {P::load(p), P::load(p + c.stride), P::load(p + 2 * c.stride)};
+}
+template <class P, class Number>
+HALFWAY_INLINE Quat<P> quaternion_at(const Columns<const Number>& c, long i) {
+  return {P::load(c.first + i), vector_at<P>(c, 1, i)};
+}
+template <class P, class Number>
+HALFWAY_INLINE V3<P> same_for_all(const Number* x) {
+  return {P(double(x[0])), P(double(x[1])), P(double(x[2]))};
+}
+template <class T, class P, class Number>
+HALFWAY_INLINE V3<T> constant(const Number* x) {
+  const V3<P> v = same_for_all<P>(x);
+  return {T(v.x), T(v.y), T(v.z)};
+}
+
+/// One node as the kernel wants it: frame of the joint, and where the joint point is.
+template <class T>
+struct Node {
+  Quat<T> joint;
+  V3<T> arm;  ///< from the node to the joint point, global axes
+};
+
+/// R(q) o.
+template <class T>
+HALFWAY_INLINE V3<T> rotated(const Quat<T>& q, const V3<T>& o) {
+  const V3<T> t = T(2.0) * cross(q.v, o);
+  return o + q.w * t + cross(q.v, t);
+}
+
+template <Kind kind, class P, class T, class Number>
+HALFWAY_INLINE Node<T> node(const Quat<T>& q, const End<Number>* end) {
+  Node<T> n{q, {}};
+  if (end != nullptr) {
+    n.joint = q * Quat<T>{T(P(double(end->H[0]))), constant<T, P>(end->H + 1)};
+    if constexpr (kind != Kind::angular) n.arm = rotated(q, constant<T, P>(end->o));
+  }
+  return n;
+}
+
+/// A pose's quaternion moved by the spin w: dq = (0, w) q / 2.
+template <class P>
+HALFWAY_INLINE Quat<kernel::Dual<P>> moved(const Quat<P>& q, const V3<P>& spin) {
+  const Quat<P> half = Quat<P>{P(0.0), P(0.5) * spin} * q;
+  return {{q.w, half.w}, kernel::dual(q.v, half.v)};
+}
+
+template <Kind kind, class P, class Number, bool lean>
+HALFWAY_INLINE auto law_at(const Job<Number>& job, long i) {
+  const Numbers<P, Number> numbers{job.law.first + job.law_step * i, job.law.stride};
+  if constexpr (lean && kind == Kind::linear_angular)
+    return LinearLaw6<P, Number>{numbers};
+  else if constexpr (lean)
+    return LinearLaw3<P, Number>{numbers};
+  else if constexpr (kind == Kind::linear_angular)
+    return AnyLaw6<P, Number>{numbers, job.polynomial};
+  else
+    return AnyLaw3<P, Number>{numbers, job.polynomial};
+}
+
+template <class K, class Number>
+HALFWAY_INLINE K kernel_of(const Job<Number>& job) {
+  K k{};
+  if constexpr (requires { k.translation.xi; }) k.translation.xi = job.xi;
+  return k;
+}
+
+/// Residual, with or without its tangent. `lean`: no ends, a linear law.
+template <class K, Kind kind, bool with_tangent, bool lean, class P, class Number>
+void evaluate(const Job<Number>& call) {
+  Job<Number> job = call;  // what is stored to a table cannot change it
+  if constexpr (lean) job.a = job.b = nullptr;
+  const K k = kernel_of<K>(job);
+  for (long i = 0; i < job.count; i += P::kLanes) {
+    const auto law = law_at<kind, P, Number, lean>(job, i);
+    const Node<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
+    const Node<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
+    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
+    if constexpr (kind == Kind::angular) {
+      put<with_tangent>(k.template angular<ExactAngle, with_tangent>(r, law), job, i);
+    } else {
+      const V3<P> D = vector_at<P>(job.x_b, 0, i) - vector_at<P>(job.x_a, 0, i);
+      const V3<P> d = job.a != nullptr ? D + b.arm - a.arm : D;
+      auto loads = k.template point<ExactAngle, kind, with_tangent>(r, d, law);
+      if (job.a != nullptr) kernel::carry<K::kBalanced, with_tangent>(a.arm, b.arm, loads);
+      kernel::complete<K::kBalanced, with_tangent>(D, loads);
+      put<with_tangent>(loads, job, i);
+    }
+  }
+}
+
+/// Residual and its derivative along job.direction.
+template <class K, Kind kind, class P, class Number>
+void evaluate_product(const Job<Number>& job) {
+  using T = kernel::Dual<P>;
+  using Angle = kernel::Along<ExactAngle>;
+  const K k = kernel_of<K>(job);
+  constexpr bool kAngular = kind == Kind::angular;
+  for (long i = 0; i < job.count; i += P::kLanes) {
+    const auto law = law_at<kind, P, Number, false>(job, i);
+    const kernel::LawAlong<decltype(law)> along{law};
+    const V3<P> w_a = vector_at<P>(job.direction, kAngular ? 0 : 3, i);
+    const V3<P> w_b = vector_at<P>(job.direction, kAngular ? 3 : 9, i);
+    const Node<T> a = node<kind, P>(moved(quaternion_at<P>(job.q_a, i), w_a), job.a);
+    const Node<T> b = node<kind, P>(moved(quaternion_at<P>(job.q_b, i), w_b), job.b);
+    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
+    if constexpr (kAngular) {
+      put_product(k.template angular<Angle, false>(r, along), job, i);
+    } else {
+      const V3<T> D = kernel::dual(vector_at<P>(job.x_b, 0, i) - vector_at<P>(job.x_a, 0, i),
+                                   vector_at<P>(job.direction, 6, i) - vector_at<P>(job.direction, 0, i));
+      const V3<T> d = job.a != nullptr ? D + b.arm - a.arm : D;
+      auto loads = k.template point<Angle, kind, false>(r, d, along);
+      if (job.a != nullptr) kernel::carry<K::kBalanced, false>(a.arm, b.arm, loads);
+      kernel::complete<K::kBalanced, false>(D, loads);
+      put_product(loads, job, i);
+    }
+  }
+}
+
+/// @tparam lean  are there loops besides for joints without ends and with a linear law?
+template <class F, Kind kind, bool lean, class P, class Number>
+constexpr void set_functions(Functions<Number>& f) {
+  using K = KernelType<F>;
+  if constexpr (std::is_same_v<K, typename Served<K, kind>::By>) {
+    f.residual = evaluate<K, kind, false, false, P, Number>;
+    f.tangent = evaluate<K, kind, true, false, P, Number>;
+    if constexpr (lean) {
+      f.lean_residual = evaluate<K, kind, false, true, P, Number>;
+      f.lean_tangent = evaluate<K, kind, true, true, P, Number>;
+    }
+    if constexpr (std::is_same_v<Number, double>) f.product = evaluate_product<K, kind, P, Number>;
+  }
+}
+
+template <class F, bool lean, class Number, class Isa>
+constexpr void set_kinds(Functions<Number> (&f)[3]) {
+  using P = Pack<Number, Isa>;
+  set_functions<F, Kind::angular, lean, P>(f[0]);
+  set_functions<F, Kind::linear, lean, P>(f[1]);
+  set_functions<F, Kind::linear_angular, lean, P>(f[2]);
+}
+
+/// @tparam in_float  are there loops in float?
+template <class F, class Isa, bool lean, bool in_float>
+constexpr Unit make_unit() {
+  Unit unit{};
+  set_kinds<F, lean, double, Isa>(unit.in_double);
+  if constexpr (in_float) set_kinds<F, lean, float, Isa>(unit.in_float);
+  return unit;
+}
+
+}  // namespace halfway::batch::detail

@@ -1,0 +1,246 @@
+// The kernels of the whole family, translation x measure x transport, in global axes.
+//
+// Only the law is ever rotated: F K F^T. Everything else is a skew operator or a rank-one update
+// about the relative quaternion's vector in global axes. A load seen in the joint's frame W has the
+// derivatives x_p and x_w by the relative position and spin seen there; in space
+//   x_d = x_p,   x_wb = x_w + (x_p [d] - [x]) A,   A the share of the relative spin that turns W.
+#pragma once
+
+#include "halfway/joint/family.hpp"
+#include "halfway/kernels/euler.hpp"
+#include "halfway/kernels/force.hpp"
+#include "halfway/kernels/frames.hpp"
+#include "halfway/kernels/response.hpp"
+#include "halfway/kernels/screw.hpp"
+
+namespace halfway::kernel {
+
+template <class Translation, class Measure, class Transport>
+struct FamilyKernel {
+  [[no_unique_address]] Translation translation{};
+
+  static constexpr bool kBalanced = true;
+  template <Kind kind>
+  static constexpr bool kNeedsRelative = kind != Kind::linear || !Translation::kConstant;
+  static constexpr bool kConjugate = Transport::kConjugate;
+  static constexpr bool kSe3 = !Translation::kFrame;
+  static constexpr bool kWeighted = requires(Translation t) { t.xi; };
+
+  /// Moment on b and its derivatives. `Angle`: how exactly the rotation's angle is taken.
+  template <class Angle, bool with_tangent, class T, class L>
+  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+    const auto j = jet<Angle, Kind::angular, with_tangent>(r);
+    if constexpr (kEuler<Measure>)
+      return euler_angular<with_tangent>(r, j, law);
+    else
+      return vector_angular<with_tangent>(r, j, law);
+  }
+
+  /// Loads at the joint points, to be completed (loads.hpp). @param d  from joint point a to b, global axes,
+  /// m.
+  template <class Angle, Kind kind, bool with_tangent, class T, class L>
+  HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
+    const auto j = jet<Angle, kind, with_tangent>(r);
+    if constexpr (kSe3)
+      return se3<kind, with_tangent>(r, j, d, law);
+    else if constexpr (kind == Kind::linear)
+      return linear<with_tangent>(r, j, d, law);
+    else if constexpr (kEuler<Measure>)
+      return euler<with_tangent>(r, j, d, law);
+    else
+      return vector<with_tangent>(r, j, d, law);
+  }
+
+ private:
+  template <Kind kind, bool with_tangent>
+  static constexpr int order() {
+    const bool conjugate_rate = with_tangent && kConjugate;
+    const int measure =
+        kind == Kind::linear ? -1 : jet_order<Measure>(with_tangent || kConjugate, conjugate_rate);
+    const bool framed = kind != Kind::angular || !kConjugate;
+    const int frame = !framed ? -1 : kWeighted ? 1 : kSe3 ? (with_tangent ? 3 : 2) : -1;
+    return measure > frame ? measure : frame;
+  }
+  template <class Angle, Kind kind, bool with_tangent, class T>
+  static HALFWAY_INLINE AngleJet<T> jet(const Relative<T>& r) {
+    return jet_at<Angle, order<kind, with_tangent>()>(r);
+  }
+
+  template <bool with_tangent, class T>
+  static HALFWAY_INLINE Measured<T> measured(const Relative<T>& r, const AngleJet<T>& j) {
+    return MeasureKernel<Measure>::template measured < (with_tangent && kConjugate) ? 2
+           : with_tangent || kConjugate                                             ? 1
+                                                                                    : 0 > (r, j);
+  }
+
+  /// The frame of a moment parallel to the rotation vector: conjugate ones are simplest half-way.
+  template <bool with_tangent, class T>
+  HALFWAY_INLINE auto moment_frame(const Relative<T>& r, const AngleJet<T>& j) const {
+    if constexpr (kConjugate)
+      return frame<with_tangent>(FrameHalfway{}, r, j);
+    else
+      return frame<with_tangent>(translation, r, j);
+  }
+
+  template <bool with_tangent, class T, class L>
+  HALFWAY_INLINE AngularLoads<T> vector_angular(const Relative<T>& r, const AngleJet<T>& j,
+                                                const L& law) const {
+    const Measured<T> e = measured<with_tangent>(r, j);
+    const auto H = moment_frame<with_tangent>(r, j);
+    const auto rate = H.rate(r, e);
+    V3<T> m;
+    S3<T> K;
+    respond<with_tangent>(law, H.F, e.eta * r.v, e.eta * r.g, m, K);
+    AngularLoads<T> out;
+    out.m = kConjugate ? rate.transposed_times(m) : m;
+    if constexpr (with_tangent) {
+      M3<T> w = rate.after(full(K));
+      if constexpr (kConjugate) w = rate.transposed_times(w) + rate_of_rate(r, e, m);
+      out.wb = minus_turn(w, out.m, H.spin);
+      out.wa = minus_skew(-out.wb, out.m);
+    }
+    return out;
+  }
+
+  /// In the frame of the moment: of a for virtual work, else the law's own.
+  template <bool with_tangent, class T, class L>
+  HALFWAY_INLINE AngularLoads<T> euler_angular(const Relative<T>& r, const AngleJet<T>& j,
+                                               const L& law) const {
+    const auto e = EulerKernel<Measure>::template values < with_tangent || kConjugate > (r);
+    const auto F = euler_frame<with_tangent>(r, j);
+    const V3<T> mbar = law.stress(e.e);
+    const V3<T> y = kConjugate ? mbar * e.E : mbar;
+    AngularLoads<T> out;
+    out.m = F.F * y;
+    if constexpr (with_tangent) {
+      M3<T> w = full(law.stiffness(e.e)) * euler_rate(r, F, e.E);
+      if constexpr (kConjugate) w = transposed_times(e.E, w) + EulerKernel<Measure>::transport_rate(e, y);
+      out.wb = minus_turn(turned(F.F, w, F.F), out.m, F.spin);
+      out.wa = minus_skew(-out.wb, out.m);
+    }
+    return out;
+  }
+  template <bool with_tangent, class T>
+  HALFWAY_INLINE auto euler_frame(const Relative<T>& r, const AngleJet<T>& j) const {
+    if constexpr (kConjugate)
+      return frame<with_tangent>(FrameA{}, r, j);
+    else
+      return frame<with_tangent>(translation, r, j);
+  }
+  /// The rate by the spin seen in frame F; E takes it in the axes of a.
+  template <class T, class Frame>
+  static HALFWAY_INLINE M3<T> euler_rate(const Relative<T>& r, const Frame& F, const M3<T>& E) {
+    if constexpr (requires { F.from_a(r); })
+      return E * F.from_a(r);
+    else
+      return E;
+  }
+
+  /// Force alone: needs neither a measure nor, half-way, an angle.
+  template <bool with_tangent, class T, class L>
+  HALFWAY_INLINE PointLoads<T> linear(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
+                                      const L& law) const {
+    const auto F = frame<with_tangent>(translation, r, j);
+    V3<T> f;
+    S3<T> K;
+    respond<with_tangent>(law, F.F, d * F.F, d, f, K);
+    PointLoads<T> out;
+    force_at_points<with_tangent, false>(d, f, full(K), {}, F.spin, out);
+    return out;
+  }
+
+  template <bool with_tangent, class T, class L>
+  HALFWAY_INLINE PointLoads<T> vector(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
+                                      const L& law) const {
+    const Measured<T> e = measured<with_tangent>(r, j);
+    const auto F = frame<with_tangent>(translation, r, j);
+    const auto H = moment_frame<with_tangent>(r, j);
+    const auto rate = H.rate(r, e);
+    const auto s =
+        respond<with_tangent>(law, F.F, H.F, Pair<T>{d * F.F, e.eta * r.v}, Pair<T>{d, e.eta * r.g});
+    Moment<T> m{.value = kConjugate ? rate.transposed_times(s.m) : s.m};
+    if constexpr (with_tangent) {
+      m.f_w = rate.after(s.K.fm);
+      m.w = rate.after(full(s.K.mm));
+      if constexpr (kConjugate) {
+        m.w = rate.transposed_times(m.w) + rate_of_rate(r, e, s.m);
+        m.p = transposed(m.f_w);
+      } else {
+        m.p = transposed(s.K.fm);
+      }
+    }
+    return with_moment<with_tangent>(d, s.f, full(s.K.ff), m, F.spin, H.spin);
+  }
+
+  template <bool with_tangent, class T, class L>
+  HALFWAY_INLINE PointLoads<T> euler(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
+                                     const L& law) const {
+    const auto e = EulerKernel<Measure>::template values < with_tangent || kConjugate > (r);
+    const auto F = frame<with_tangent>(translation, r, j);
+    const auto H = euler_frame<with_tangent>(r, j);
+    const Pair<T> strain{d * F.F, e.e};
+    const Pair<T> stress = law.stress(strain);
+    const V3<T> y = kConjugate ? stress.m * e.E : stress.m;
+    Moment<T> m{.value = H.F * y};
+    M3<T> f_p;
+    if constexpr (with_tangent) {
+      const Stiffness6<T> K = law.stiffness(strain);
+      const M3<T> E = euler_rate(r, H, e.E);
+      M3<T> w = full(K.mm) * E, p = transposed(K.fm);
+      if constexpr (kConjugate) {
+        w = transposed_times(E, w) + EulerKernel<Measure>::transport_rate(e, y);
+        p = transposed_times(E, p);
+      }
+      m.w = turned(H.F, w, H.F);
+      m.p = turned(H.F, p, F.F);
+      m.f_w = turned(F.F, K.fm * E, H.F);
+      f_p = full(turned(F.F, K.ff));
+    }
+    return with_moment<with_tangent>(d, F.F * stress.f, f_p, m, F.spin, H.spin);
+  }
+
+  /// On SE(3): the translation's strain is B d with the rotation vector's own rate B, half-way.
+  template <Kind kind, bool with_tangent, class T, class L>
+  HALFWAY_INLINE PointLoads<T> se3(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
+                                   const L& law) const {
+    static_assert(kConjugate && kVectorial<Measure>);
+    const auto H = frame<with_tangent>(FrameHalfway{}, r, j);
+    const ScrewStrain<T> strain = screw_strain(r, j, d);
+    const auto& B = strain.B;
+    V3<T> f;
+    S3<T> K;
+    Moment<T> m;
+    M3<T> stiff_w;  // d(fbar)/d(spin)
+    if constexpr (kind == Kind::linear) {
+      respond<with_tangent>(law, H.F, strain.l * H.F, strain.l, f, K);
+      m.value = f * strain.L;
+      if constexpr (with_tangent) {
+        stiff_w = full(K) * strain.L;
+        m.w = transposed_times(strain.L, stiff_w) + strain.second(r, j, d, f);
+      }
+    } else {
+      const Measured<T> e = measured<with_tangent>(r, j);
+      const auto rate = H.rate(r, e);
+      const auto s = respond<with_tangent>(law, H.F, H.F, Pair<T>{strain.l * H.F, e.eta * r.v},
+                                           Pair<T>{strain.l, e.eta * r.g});
+      f = s.f;
+      m.value = f * strain.L + rate.transposed_times(s.m);
+      if constexpr (with_tangent) {
+        K = s.K.ff;
+        stiff_w = full(K) * strain.L + rate.after(s.K.fm);
+        const M3<T> moment_w = transposed(s.K.fm) * strain.L + rate.after(full(s.K.mm));
+        m.w = transposed_times(strain.L, stiff_w) + strain.second(r, j, d, f) +
+              rate.transposed_times(moment_w) + rate_of_rate(r, e, s.m);
+      }
+    }
+    M3<T> f_p;
+    if constexpr (with_tangent) {
+      f_p = B.transposed_times(B.after(full(K)));
+      m.f_w = B.transposed_times(stiff_w) + rate_of_rate(r, strain.measure, f);
+      m.p = transposed(m.f_w);
+    }
+    return with_moment<with_tangent>(d, B.times(f), f_p, m, H.spin, H.spin);
+  }
+};
+
+}  // namespace halfway::kernel

@@ -1,0 +1,115 @@
+// A joint between two nodes by its kernel: loads and tangent from positions and unit quaternions.
+//
+// The fast twin of formulations/joint.hpp: same loads, same signs, another text. With g++ compile with
+// -O3 -fno-tree-slp-vectorize: its packing of a single joint's numbers costs up to a factor of two.
+#pragma once
+
+#include "halfway/kernels/kernel.hpp"
+
+namespace halfway::kernel {
+
+/// Position (m, global axes) and orientation (node axes -> global axes) of a node.
+template <class T>
+struct Node {
+  V3<T> x;
+  Quat<T> q;
+};
+
+/// Joint point o (m) and joint frame h of one end, constant in the node's axes [8].
+template <class T>
+struct End {
+  V3<T> o;
+  Quat<T> h;
+};
+
+/// Joint points and frames at the nodes themselves: nothing to carry, nothing to pay.
+struct NoEnds {};
+
+template <class T>
+struct Ends {
+  End<T> a, b;
+};
+
+/// @tparam K  a kernel, from KernelOf<Formulation>::make; L: a law of laws.hpp; E: NoEnds or Ends.
+template <Kind kind, class K, class L, class E = NoEnds>
+struct Joint {
+  K kernel;
+  L law;
+  [[no_unique_address]] E ends{};
+};
+
+/// How the angle is taken (functions.hpp) and how the relative quaternion (motion.hpp).
+template <class A = ExactAngle, class D = Uncompensated>
+struct Accuracy {
+  using Angle = A;
+  using Differences = D;
+};
+
+/// What of the relative rotation a kernel asks for: all, or frame a alone.
+template <class K, Kind kind, class Differences = Uncompensated, class T>
+HALFWAY_INLINE Relative<T> relative_for(const Quat<T>& a, const Quat<T>& b) {
+  if constexpr (requires { requires !K::template kNeedsRelative<kind>; })
+    return frame_a_alone(a);
+  else
+    return relative<Differences>(a, b);
+}
+
+template <class K, Kind kind, class Differences, class T>
+HALFWAY_INLINE Relative<T> relative_of(const NoEnds&, const Quat<T>& a, const Quat<T>& b) {
+  return relative_for<K, kind, Differences>(a, b);
+}
+template <class K, Kind kind, class Differences, class T, class C>
+HALFWAY_INLINE Relative<T> relative_of(const Ends<C>& ends, const Quat<T>& a, const Quat<T>& b) {
+  const auto joint_frame = [](const Quat<T>& q, const Quat<C>& h) {
+    return q * Quat<T>{T(h.w), {T(h.v.x), T(h.v.y), T(h.v.z)}};
+  };
+  if constexpr (requires { requires !K::template kNeedsRelative<kind>; })
+    return frame_a_alone(joint_frame(a, ends.a.h));
+  else
+    return relative<Differences>(joint_frame(a, ends.a.h), joint_frame(b, ends.b.h));
+}
+
+/// Moment on b, N m, and its derivatives by the spins; nothing linear is read or computed.
+template <bool with_tangent, class Accuracy = Accuracy<>, class T, class K, class L, class E>
+HALFWAY_INLINE AngularLoads<T> loads(const Joint<Kind::angular, K, L, E>& joint, const Quat<T>& a,
+                                     const Quat<T>& b) {
+  const Relative<T> r = relative_of<K, Kind::angular, typename Accuracy::Differences>(joint.ends, a, b);
+  return joint.kernel.template angular<typename Accuracy::Angle, with_tangent>(r, joint.law);
+}
+
+/// Loads about the nodes, with joint points at them. @param D  from node a to b, global axes, m.
+template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
+HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D) {
+  auto p = kernel.template point<Angle, kind, with_tangent>(r, D, law);
+  complete<K::kBalanced, with_tangent>(D, p);
+  return p;
+}
+/// The same with joint points at r_a and r_b from the nodes, global axes, m.
+template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
+HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D,
+                                        const V3<T>& r_a, const V3<T>& r_b) {
+  auto p = kernel.template point<Angle, kind, with_tangent>(r, (D + r_b) - r_a, law);
+  carry<K::kBalanced, with_tangent>(r_a, r_b, p);
+  complete<K::kBalanced, with_tangent>(D, p);
+  return p;
+}
+
+/// Force on b, moments about both nodes, global axes, and their derivatives.
+template <bool with_tangent, class Accuracy = Accuracy<>, Kind kind, class T, class K, class L, class E>
+HALFWAY_INLINE PointLoads<T> loads(const Joint<kind, K, L, E>& joint, const Node<T>& a, const Node<T>& b) {
+  static_assert(kind != Kind::angular, "an angular joint takes orientations alone");
+  const Relative<T> r = relative_of<K, kind, typename Accuracy::Differences>(joint.ends, a.q, b.q);
+  using Angle = typename Accuracy::Angle;
+  const V3<T> D = b.x - a.x;
+  if constexpr (std::is_same_v<E, NoEnds>) {
+    return node_loads<Angle, kind, with_tangent>(joint.kernel, joint.law, r, D);
+  } else {
+    const auto arm = [](const auto& end, const Quat<T>& q) {
+      return matrix(q) * V3<T>{T(end.o.x), T(end.o.y), T(end.o.z)};
+    };
+    return node_loads<Angle, kind, with_tangent>(joint.kernel, joint.law, r, D, arm(joint.ends.a, a.q),
+                                                 arm(joint.ends.b, b.q));
+  }
+}
+
+}  // namespace halfway::kernel

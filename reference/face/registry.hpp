@@ -1,0 +1,85 @@
+// Every formulation of the catalog behind one run-time face, in double, 50 digits and duals.
+#pragma once
+
+#include "reference/face/joint_spec.hpp"
+#include "reference/face/kernel_entry.hpp"
+#include "reference/numbers/dual.hpp"
+#include "reference/numbers/precision.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace halfway::reference {
+
+/// One formulation in scalar T. `angular` serves Kind::angular, `point` the two others.
+template <class T>
+struct Evaluators {
+  Eigen::Matrix<T, Eigen::Dynamic, 1> (*strain)(const JointSpec&, const Pose<T>& a, const Pose<T>& b);
+  AngularLoads<T> (*angular)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
+  NodeLoads<T> (*point)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
+  /// The potential, where the formulation has one for this kind.
+  std::optional<T> (*energy)(const JointSpec&, const Pose<T>& a, const Pose<T>& b);
+};
+
+struct Entry {
+  std::string_view name;
+  std::string_view stands_for;
+  Facts facts;
+  bool needs_xi;                 ///< true for the form with a free xi
+  double probe_xi;               ///< the xi at which verify and bench probe it
+  bool wide;                     ///< the catalog's mark: AVX-512 and float batches, transcription timed
+  bool block_diagonal_law_only;  ///< refuses translation-rotation coupling
+  bool (*has_potential)(Kind);
+  Evaluators<double> in_double;
+  Evaluators<Real50> in_real50;
+  Evaluators<Dual<Real50>> in_dual50;
+  KernelEntry kernel;
+
+  template <class T>
+  const Evaluators<T>& in() const {
+    if constexpr (std::is_same_v<T, double>)
+      return in_double;
+    else if constexpr (std::is_same_v<T, Real50>)
+      return in_real50;
+    else
+      return in_dual50;
+  }
+};
+
+/// All entries in the order of catalog.def.
+std::span<const Entry> formulations();
+
+/// The entry of that name, or nullptr.
+const Entry* find_formulation(std::string_view name);
+
+/// An angular joint's loads and tangent in the 12 coordinates of the two nodes.
+template <class T>
+NodeLoads<T> node_loads(const AngularLoads<T>& angular, bool with_tangent) {
+  NodeLoads<T> out;
+  out.q << Vec3<T>::Zero(), -angular.m_b, Vec3<T>::Zero(), angular.m_b;
+  if (with_tangent) {
+    out.tangent.setZero();
+    out.tangent.template block<3, 3>(3, 3) = -angular.m_b_wa;
+    out.tangent.template block<3, 3>(3, 9) = -angular.m_b_wb;
+    out.tangent.template block<3, 3>(9, 3) = angular.m_b_wa;
+    out.tangent.template block<3, 3>(9, 9) = angular.m_b_wb;
+  }
+  return out;
+}
+
+/// Loads (f_a, m_a, f_b, m_b) and tangent of any kind in the 12 coordinates of the two nodes.
+template <class T>
+NodeLoads<T> node_loads(const Entry& entry, const JointSpec& spec, const Pose<T>& a, const Pose<T>& b,
+                        bool with_tangent) {
+  if (spec.kind != Kind::angular) return entry.in<T>().point(spec, a, b, with_tangent);
+  return node_loads(entry.in<T>().angular(spec, a, b, with_tangent), with_tangent);
+}
+
+/// Poses and ends in another scalar.
+template <class T, class S>
+Pose<T> cast(const Pose<S>& p) {
+  return {p.x.template cast<T>(), p.R.template cast<T>()};
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,151 @@
+#include "reference/scene/scene.hpp"
+
+#include "reference/solve/solve.hpp"
+
+#include "reference/face/registry.hpp"
+#include "reference/scene/scene_joint.hpp"
+#include "reference/scene/scene_references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace halfway::reference {
+namespace {
+
+constexpr int kMostPoints = 100000;
+
+SceneLoad read_load(const Field& load, Kind kind) {
+  load.has_only({"type", "value", "point"});
+  const std::vector<std::string> types = {"fixed_moment", "follower_moment", "fixed_force"};
+  const Field type = load.at("type", "fixed_moment, follower_moment, fixed_force");
+  const std::string name = type.one_of(types);
+  SceneLoad out;
+  out.type = LoadType(std::find(types.begin(), types.end(), name) - types.begin());
+  if (kind == Kind::linear && out.type != LoadType::fixed_force) {
+    type.refuse("loads a joint that resists no rotation (joint.kind = \"linear\")", "fixed_force");
+  }
+  const std::string shape = "3 numbers, N or N m";
+  const Field value = load.at("value", shape);
+  out.value = value.vector(3, shape);
+  if (out.value.isZero(0)) value.refuse("loads nothing", "a load that is not zero");
+  if (const auto point = load.find("point")) {
+    if (out.type != LoadType::fixed_force)
+      point->refuse("is a point of a moment", "point beside fixed_force only");
+    out.point = point->vector(3, "3 numbers, m, axes of node b");
+  }
+  return out;
+}
+
+std::vector<std::string> outputs_of(Kind kind) {
+  const std::vector<std::string> rotations = {"theta_x", "theta_y", "theta_z"};
+  const std::vector<std::string> displacements = {"u_x", "u_y", "u_z"};
+  if (kind == Kind::angular) return rotations;
+  if (kind == Kind::linear) return displacements;
+  std::vector<std::string> all = rotations;
+  all.insert(all.end(), displacements.begin(), displacements.end());
+  return all;
+}
+
+void read_path(const Field& path, Scene& scene) {
+  path.has_only({"factor_end", "points", "critical_axis"});
+  scene.factor_end = path.at("factor_end", "a number > 0").positive();
+  if (const auto points = path.find("points")) scene.points = points->integer(1, kMostPoints);
+  if (const auto axis = path.find("critical_axis")) {
+    if (scene.joint.kind != Kind::angular)
+      axis->refuse("is asked of a joint that is not angular", "angular joints");
+    scene.critical_axis = axis->integer(1, 3);
+  }
+}
+
+void read_wanted(const Field& file, Scene& scene) {
+  scene.outputs = outputs_of(scene.joint.kind);
+  if (const auto outputs = file.find("outputs")) {
+    scene.outputs = outputs->distinct(scene.outputs);
+    if (scene.outputs.empty()) outputs->refuse("is empty", "at least one output");
+  }
+  if (const auto xis = file.find("xis")) {
+    scene.xis = xis->distinct_numbers();
+    if (!scene.xis.empty()) scene.joint.xi = scene.xis.front();
+  }
+  const auto names = file.find("formulations");
+  if (!names) return;
+  auto allowed = formulation_names();
+  allowed.emplace_back(kLinearized);
+  scene.formulations = names->distinct(allowed);
+  if (scene.formulations.empty())
+    names->refuse("is empty", "at least one name, or no such key for all formulations");
+  for (const std::string& name : scene.formulations) {
+    const Entry* entry = find_formulation(name);
+    if (entry && entry->needs_xi && scene.xis.empty())
+      names->refuse(fmt::format("names {}, which needs a xi", name), "xis = [...] beside it");
+    if (entry && !accepts_law(*entry, scene.joint))
+      names->refuse(fmt::format("names {}, which takes no coupling of translation and rotation", name),
+                    "a block-diagonal law, or other formulations");
+  }
+}
+
+}  // namespace
+
+bool is_critical(const std::string& output) {
+  return output == "critical_moment" || output == "critical_angle";
+}
+
+Scene read_scene(const std::filesystem::path& path) {
+  const TomlNode tree = read_toml(path);
+  const std::string name = path.string();
+  const Field file(tree, "", name);
+  file.has_only({"title", "description", "source", "outputs", "formulations", "xis", "joint", "load", "path",
+                 "reference"});
+  Scene scene;
+  scene.name = path.stem().string();
+  scene.title = file.at("title", "one line of text").text();
+  scene.description = file.text_or("description");
+  scene.source = file.text_or("source");
+  scene.joint = read_joint(file.at("joint", "a table [joint]"));
+  const Field loads = file.at("load", "at least one table [[load]]");
+  for (const Field& load : loads.items("tables [[load]]")) {
+    scene.loads.push_back(read_load(load, scene.joint.kind));
+    const auto is_force = [](const SceneLoad& l) { return l.type == LoadType::fixed_force; };
+    if (std::count_if(scene.loads.begin(), scene.loads.end(), is_force) < 2) continue;
+    load.at("type", "")
+        .refuse("is the second force", "one fixed_force; a sum at one point and a moment say the same");
+  }
+  if (scene.loads.empty()) loads.refuse("is empty", "at least one table [[load]]");
+  read_path(file.at("path", "a table [path]"), scene);
+  read_wanted(file, scene);
+  if (const auto sets = file.find("reference")) {
+    for (const Field& set : sets->items("tables [[reference]]")) {
+      const auto references = read_reference_set(set, scene);
+      scene.references.insert(scene.references.end(), references.begin(), references.end());
+    }
+  }
+  return scene;
+}
+
+std::filesystem::path scenes_folder() {
+  const char* folder = std::getenv("HALFWAY_SCENES");
+  return folder && *folder ? folder : HALFWAY_SCENES_DIR;
+}
+
+std::vector<Scene> canonical_scenes() {
+  const auto folder = scenes_folder();
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (auto it = std::filesystem::directory_iterator(folder, error); !error && it != end(it);
+       it.increment(error)) {
+    if (it->path().extension() == ".toml") files.push_back(it->path());
+  }
+  if (error || files.empty()) {
+    throw SceneError(
+        fmt::format("{}: holds no scene ({}); allowed: a folder with *.toml, named by HALFWAY_SCENES",
+                    folder.string(), error ? error.message() : "no file *.toml"));
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Scene> scenes;
+  for (const auto& file : files) scenes.push_back(read_scene(file));
+  return scenes;
+}
+
+}  // namespace halfway::reference

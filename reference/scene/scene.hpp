@@ -1,0 +1,75 @@
+// Scenes: a joint, loads, wanted outputs and reference values, as a person writes them (TOML).
+#pragma once
+
+#include "reference/face/joint_spec.hpp"
+#include "reference/record/finding.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace halfway::reference {
+
+/// A mistake in a scene file: "FILE:LINE: KEY = VALUE: what is wrong; allowed: ...".
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class LoadType {
+  fixed_moment,     ///< moment on node b, global axes, N m
+  follower_moment,  ///< moment on node b, axes of node b, N m
+  fixed_force       ///< force on node b, global axes, N, at `point` in the axes of node b, m
+};
+
+struct SceneLoad {
+  LoadType type = LoadType::fixed_moment;
+  Vec3<double> value = Vec3<double>::Zero();  ///< at load factor 1
+  Vec3<double> point = Vec3<double>::Zero();
+};
+
+/// One reference value of the scene: output at a load factor.
+struct SceneReference {
+  std::string formulation;
+  double factor = 1;
+  std::string output;        ///< theta_x, theta_y, theta_z (rad), u_x, u_y, u_z (m), or one of critical_*
+  std::string value;         ///< decimal text, all digits kept for 50-digit comparison; empty if `none`
+  bool none = false;         ///< the statement is that there is none: no critical moment below pi
+  double tolerance = 1e-12;  ///< relative, or absolute (unit of the output) where `absolute`
+  bool absolute = false;
+  std::string reason;  ///< why the tolerance is what it is
+  Oracle oracle = Oracle::fifty_digits;
+  std::string source;
+  double xi = 0.5;  ///< of a formulation that has one
+};
+
+/// critical_moment (N m) and critical_angle (rad): the first singular tangent under a moment about
+/// Scene::critical_axis. They belong to the joint, not to a load factor; `factor` is 0 for them.
+bool is_critical(const std::string& output);
+
+struct Scene {
+  std::string name;  ///< file name without extension, e.g. c1_skewed_torque
+  std::string title;
+  std::string description;
+  std::string source;
+  JointSpec joint;
+  std::vector<SceneLoad> loads;
+  double factor_end = 1;             ///< the load factor runs from 0 to here
+  int points = 20;                   ///< output points of the curve
+  int critical_axis = 0;             ///< joint axis 1, 2, 3 about which critical_* are asked; 0: not asked
+  std::vector<std::string> outputs;  ///< theta_x ... u_z: the curves' columns
+  std::vector<std::string> formulations;  ///< which to solve, in the order of the file; empty: all
+  std::vector<double> xis;                ///< at which a formulation with a free xi is solved
+  std::vector<SceneReference> references;
+};
+
+/// Reads and checks one scene; the format is described in reference/scenes/README.md. Throws SceneError.
+Scene read_scene(const std::filesystem::path& file);
+
+/// $HALFWAY_SCENES, or the folder of the sources that was built in.
+std::filesystem::path scenes_folder();
+
+/// The scenes of that folder, ordered by name. Throws SceneError, also when there is none.
+std::vector<Scene> canonical_scenes();
+
+}  // namespace halfway::reference

@@ -1,0 +1,167 @@
+#include "reference/scene/scene_references.hpp"
+
+#include "reference/face/registry.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace halfway::reference {
+namespace {
+
+constexpr Oracle kOracles[] = {Oracle::closed_form, Oracle::fifty_digits, Oracle::independent,
+                               Oracle::printed, Oracle::other_program};
+
+Oracle read_oracle(const Field& field) {
+  std::vector<std::string> names;
+  for (const Oracle oracle : kOracles) names.emplace_back(to_string(oracle));
+  const std::string name = field.one_of(names);
+  return kOracles[std::find(names.begin(), names.end(), name) - names.begin()];
+}
+
+/// The number of a decimal text.
+double decimal(const Field& field) {
+  const std::string allowed = "a text of decimal digits, such as \"-1.25e-3\"";
+  const std::string text = field.text();
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    field.refuse("is not a decimal number", allowed);
+  }
+  return value;
+}
+
+/// Half a unit of the last digit of a decimal text.
+double half_last_digit(const std::string& text) {
+  const auto e = text.find_first_of("eE");
+  const std::string mantissa = text.substr(0, e);
+  const int exponent = e == std::string::npos ? 0 : std::stoi(text.substr(e + 1));
+  const auto point = mantissa.find('.');
+  const int decimals = point == std::string::npos ? 0 : int(mantissa.size() - point - 1);
+  return 0.5 * std::pow(10.0, exponent - decimals);
+}
+
+/// What all values of one table share.
+struct Shared {
+  SceneReference reference;
+  bool by_digits = false;  ///< tolerance = "digits"
+  bool has_factor = false;
+};
+
+Shared read_shared(const Field& set, const Scene& scene) {
+  Shared shared;
+  SceneReference& r = shared.reference;
+  r.factor = 0;
+  r.oracle = read_oracle(set.at("oracle", "closed_form, fifty_digits, independent, printed, other_program"));
+  r.source = set.at("source", "where the values come from").text();
+  r.reason = set.at("reason", "why the tolerance is what it is").text();
+  const Field tolerance = set.at("tolerance", "a number > 0 or \"digits\"");
+  shared.by_digits = tolerance.is_text() && !tolerance.one_of({"digits"}).empty();
+  if (!shared.by_digits) r.tolerance = tolerance.positive();
+  if (const auto absolute = set.find("absolute")) r.absolute = absolute->boolean();
+  if (shared.by_digits && set.find("absolute")) {
+    set.find("absolute")->refuse("stands beside tolerance = \"digits\"", "one of the two");
+  }
+  if (const auto factor = set.find("factor")) {
+    shared.has_factor = true;
+    r.factor = factor->positive();
+    if (r.factor > scene.factor_end) {
+      factor->refuse("is beyond the path",
+                     fmt::format("0 < factor <= path.factor_end = {}", scene.factor_end));
+    }
+  }
+  return shared;
+}
+
+/// The xi of one table, which the scene must solve; 0.5 stands for none.
+double read_xi(const Field& set, const Scene& scene) {
+  const auto field = set.find("xi");
+  if (!field) return 0.5;
+  const double xi = field->number();
+  if (std::find(scene.xis.begin(), scene.xis.end(), xi) == scene.xis.end()) {
+    field->refuse("is not solved by this scene", fmt::format("xis = [{}]", fmt::join(scene.xis, ", ")));
+  }
+  return xi;
+}
+
+void check_formulation(const Field& entry, const std::string& name, const Field& set, const Scene& scene) {
+  const Entry* formulation = find_formulation(name);
+  if (!formulation) {
+    entry.refuse("is of no formulation of the catalog",
+                 fmt::format("{}", fmt::join(formulation_names(), ", ")));
+  }
+  const auto& solved = scene.formulations;
+  if (!solved.empty() && std::find(solved.begin(), solved.end(), name) == solved.end()) {
+    entry.refuse("is of a formulation that this scene does not solve",
+                 fmt::format("{}", fmt::join(solved, ", ")));
+  }
+  if (const auto xi = set.find("xi"); xi && !formulation->needs_xi) {
+    xi->refuse(fmt::format("stands beside {}, which has no xi", name), "formulations with a xi");
+  }
+  if (formulation->needs_xi) set.at("xi", fmt::format("the xi of {}, one of xis", name));
+}
+
+void check_output(const Field& value, const std::string& output, bool has_factor, const Scene& scene) {
+  std::vector<std::string> outputs = scene.outputs;
+  if (scene.critical_axis != 0) outputs.insert(outputs.end(), {"critical_moment", "critical_angle"});
+  if (std::find(outputs.begin(), outputs.end(), output) == outputs.end()) {
+    value.refuse("is of an output that this scene does not have",
+                 fmt::format("{}", fmt::join(outputs, ", ")));
+  }
+  if (is_critical(output) && has_factor)
+    value.refuse("stands beside a factor", "critical values without factor");
+  if (!is_critical(output) && !has_factor)
+    value.refuse("has no factor", "the load factor as `factor` beside values");
+}
+
+SceneReference read_value(const Field& field, const std::string& output, const Shared& shared) {
+  SceneReference r = shared.reference;
+  r.output = output;
+  if (field.text() == "none") {
+    if (!is_critical(output)) field.refuse("there is always one", "a text of decimal digits");
+    r.none = true;
+    return r;
+  }
+  const double number = decimal(field);
+  r.value = field.text();
+  if (shared.by_digits) {
+    r.absolute = true;
+    r.tolerance = half_last_digit(r.value);
+  } else if (number == 0 && !r.absolute) {
+    field.refuse("has no relative tolerance", "absolute = true beside it, or another value");
+  }
+  return r;
+}
+
+}  // namespace
+
+std::vector<std::string> formulation_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : formulations()) names.emplace_back(entry.name);
+  return names;
+}
+
+std::vector<SceneReference> read_reference_set(const Field& set, const Scene& scene) {
+  set.has_only({"source", "oracle", "tolerance", "absolute", "reason", "factor", "xi", "values"});
+  Shared shared = read_shared(set, scene);
+  shared.reference.xi = read_xi(set, scene);
+  const Field values = set.at("values", "a table formulation = { output = \"digits\" }");
+  std::vector<SceneReference> out;
+  for (const std::string& name : values.keys()) {
+    const Field entry = *values.find(name);
+    check_formulation(entry, name, set, scene);
+    for (const std::string& output : entry.keys()) {
+      const Field value = *entry.find(output);
+      check_output(value, output, shared.has_factor, scene);
+      out.push_back(read_value(value, output, shared));
+      out.back().formulation = name;
+    }
+  }
+  if (out.empty()) values.refuse("is empty", "at least one formulation = { output = \"digits\" }");
+  return out;
+}
+
+}  // namespace halfway::reference

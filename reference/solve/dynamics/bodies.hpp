@@ -1,0 +1,76 @@
+// Two rigid bodies and the joint between them: state, energy, momentum and rates of change.
+//
+// A body's node is its centre of mass, and its principal axes are the node's axes. A body may be clamped. The
+// momenta, and not the velocities, are the state: what the joint does to them is then a plain sum.
+#pragma once
+
+#include "reference/face/registry.hpp"
+
+#include <array>
+#include <functional>
+
+namespace halfway::reference::dynamics {
+
+using Vec4 = Eigen::Vector4d;
+/// (f_a, m_a, f_b, m_b), global axes, moments about the nodes, conjugate to the motion of the nodes: what
+/// would hold the joint in its place. The joint acts on the bodies with the opposite.
+using Loads = Eigen::Matrix<double, 12, 1>;
+
+struct Body {
+  double mass = 1;                              ///< kg
+  Vec3<double> inertia = Vec3<double>::Ones();  ///< principal moments of inertia, kg m^2
+  bool clamped = false;                         ///< does not move at all
+};
+
+struct BodyState {
+  Vec3<double> x = Vec3<double>::Zero();  ///< centre of mass, global axes, m
+  Vec4 q{1, 0, 0, 0};                     ///< unit quaternion (w, x, y, z), body axes -> global axes
+  Vec3<double> p = Vec3<double>::Zero();  ///< momentum, kg m/s
+  Vec3<double> L =
+      Vec3<double>::Zero();  ///< angular momentum about the centre of mass, global axes, kg m^2/s
+};
+
+using State = std::array<BodyState, 2>;  ///< of bodies a and b
+
+struct System {
+  std::array<Body, 2> bodies;
+  std::function<Loads(const State&)> loads;
+  std::function<double(const State&)> strain_energy;  ///< J
+  std::function<double(const State&)> dissipation{};  ///< W, what a damper takes out; empty: none
+};
+
+/// Two bodies on a formulation: its loads by the kernel where it has one, its law's own strain energy whether
+/// or not the loads derive from it. References must outlive the result. The law must be linear.
+System elastic_system(const Entry& entry, const JointSpec& spec, const std::array<Body, 2>& bodies);
+
+/// Two bodies without any joint.
+System free_system(const std::array<Body, 2>& bodies);
+
+/// Body axes -> global axes; q need not be normalised.
+Mat3<double> orientation(const Vec4& q);
+
+/// The node of a body, its quaternion normalised.
+Pose<double> node_pose(const BodyState& state);
+
+/// Angular velocity in global axes (rad/s).
+Vec3<double> spin(const Body& body, const BodyState& state);
+
+Vec3<double> velocity(const Body& body, const BodyState& state);
+
+/// J.
+double kinetic_energy(const System& system, const State& state);
+double energy(const System& system, const State& state);
+
+/// Of both bodies, the angular one about the origin of the global axes.
+struct Momenta {
+  Vec3<double> linear, angular;
+};
+Momenta momenta(const State& state);
+
+/// The momenta of a body from its motion. @param v, w  velocity (m/s) and spin (rad/s), global axes
+void set_motion(const Body& body, const Vec3<double>& v, const Vec3<double>& w, BodyState& state);
+
+/// Relative rotation of the two joint frames, rad, in [0, pi].
+double relative_angle(const JointSpec& spec, const State& state);
+
+}  // namespace halfway::reference::dynamics

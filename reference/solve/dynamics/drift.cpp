@@ -1,0 +1,77 @@
+#include "reference/solve/dynamics/drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halfway::reference::dynamics {
+namespace {
+
+/// Slope of a straight line through the samples by least squares.
+double slope(const std::vector<DriftSample>& samples) {
+  double t = 0, e = 0;
+  for (const auto& s : samples) t += s.period, e += s.energy;
+  t /= double(samples.size()), e /= double(samples.size());
+  double te = 0, tt = 0;
+  for (const auto& s : samples) {
+    te += (s.period - t) * (s.energy - e);
+    tt += (s.period - t) * (s.period - t);
+  }
+  return te / tt;
+}
+
+/// Momentum and angular momentum of the start's whole energy in the bodies together.
+struct Scales {
+  double linear, angular;
+};
+Scales scales(const std::array<Body, 2>& bodies, double start_energy) {
+  const double mass = bodies[0].mass + bodies[1].mass;
+  const double inertia = bodies[0].inertia.maxCoeff() + bodies[1].inertia.maxCoeff();
+  return {std::sqrt(2 * start_energy * mass), std::sqrt(2 * start_energy * inertia)};
+}
+
+}  // namespace
+
+Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSettings& settings) {
+  const System system = elastic_system(entry, scenario.spec, scenario.bodies);
+  const auto modes = frequencies(entry, scenario);
+  const double period = 2 * std::numbers::pi / modes.front();
+  const int per_period =
+      std::max(1, int(std::ceil(settings.steps_per_fastest * modes.back() / modes.front())));
+  const int stride = std::max(1, per_period / settings.samples_per_period);
+  const double h = period / per_period;
+  const bool is_free = !scenario.bodies[0].clamped && !scenario.bodies[1].clamped;
+  const double E0 = energy(system, scenario.start);
+  const Momenta M0 = momenta(scenario.start);
+  const Scales scale = scales(scenario.bodies, E0);
+
+  Drift out;
+  State state = scenario.start;
+  out.samples.push_back({0, 0});
+  while (out.periods < settings.periods && out.ending.empty()) {
+    advance(system, settings.order, h, stride, state);
+    out.steps += stride;
+    out.periods = double(out.steps) / per_period;
+    const double change = (energy(system, state) - E0) / E0;
+    const Momenta M = momenta(state);
+    if (!std::isfinite(change)) {
+      out.ending = "the loads are not finite";
+      break;
+    }
+    out.samples.push_back({out.periods, change});
+    out.largest_energy = std::max(out.largest_energy, std::abs(change));
+    if (is_free) {
+      out.linear = std::max(out.linear, (M.linear - M0.linear).norm() / scale.linear);
+      out.angular = std::max(out.angular, (M.angular - M0.angular).norm() / scale.angular);
+    }
+    if (std::abs(change) > settings.largest_growth) {
+      out.ending = "the joint made many times the energy of the start";
+    } else if (relative_angle(scenario.spec, state) > settings.largest_angle) {
+      out.ending = "the joint turned beyond the range of its rotation measure";
+    }
+  }
+  out.trend = slope(out.samples);
+  return out;
+}
+
+}  // namespace halfway::reference::dynamics

@@ -1,0 +1,22 @@
+#include "reference/solve/path.hpp"
+
+namespace halfway::reference {
+
+template <class T>
+Path<T>::Path(const Scene& scene, const Entry& entry, double xi, const Setting& setting)
+    : problem_(scene, entry, xi, setting) {
+  state_.b = problem_.start();
+}
+
+template <class T>
+const Outcome<T>& Path<T>::advance(double factor) {
+  const int iterations = state_.iterations;
+  state_ = problem_.follow_to(state_.b, state_.factor, T(factor));
+  state_.iterations += iterations;
+  return state_;
+}
+
+template class Path<double>;
+template class Path<Real50>;
+
+}  // namespace halfway::reference

@@ -1,0 +1,33 @@
+// One formulation on its way through one scene, in double or at 50 digits.
+#pragma once
+
+#include "reference/solve/equilibrium_problem.hpp"
+
+#include <string>
+
+namespace halfway::reference {
+
+/// The equilibrium path of a scene, from the unstrained pose on. T is double or Real50.
+template <class T>
+class Path {
+ public:
+  /// References must outlive the path. @param xi  for a formulation that has one.
+  Path(const Scene& scene, const Entry& entry, double xi, const Setting& setting = {});
+
+  /// Goes on to a load factor; the state is the last equilibrium reached, converged or not.
+  const Outcome<T>& advance(double factor);
+
+  const Outcome<T>& state() const { return state_; }
+
+  /// As of EquilibriumProblem, for the state.
+  T output(const std::string& name) const { return problem_.output(name, state_.b); }
+  T linear_output(const std::string& name, double factor) const {
+    return problem_.linear_output(name, T(factor));
+  }
+
+ private:
+  EquilibriumProblem<T> problem_;
+  Outcome<T> state_;
+};
+
+}  // namespace halfway::reference

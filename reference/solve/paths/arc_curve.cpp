@@ -1,0 +1,48 @@
+#include "reference/solve/paths/arc_curve.hpp"
+
+#include "reference/solve/paths/continuation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halfway::reference {
+namespace {
+
+std::string described(const EquilibriumPath& path) {
+  std::string out = path.end == PathEnd::end_factor ? "converged" : path.outcome;
+  for (const SingularPoint& s : path.singular)
+    out += fmt::format("; {} at load factor {:.10g}", to_string(s.type), s.state.factor);
+  return out;
+}
+
+/// |internal - applied| over the load at the last point.
+double residual(const EquilibriumProblem<double>& problem, const ArcState<double>& state) {
+  const auto balance = problem.balance(state.b, state.factor);
+  const double load = balance.by_factor.norm() * std::abs(state.factor);
+  return balance.imbalance.norm() / (load > 0 ? load : 1);
+}
+
+}  // namespace
+
+Curve follow_by_arc(const Scene& scene, const Choice& choice) {
+  if (!choice.entry) return solve_scene(scene, choice);  // a straight line has no folds
+  ContinuationOptions options;
+  options.end_factor = scene.factor_end;
+  const Continuation continuation(scene, *choice.entry, choice.xi, options);
+  const EquilibriumPath path = continuation.from_rest();
+  Curve curve = empty_curve(scene, choice);
+  for (const PathPoint& point : path.points) {
+    std::vector<double> row{point.state.factor};
+    for (const std::string& output : scene.outputs)
+      row.push_back(continuation.problem().output(output, point.state.b));
+    curve.rows.push_back(std::move(row));
+  }
+  curve.converged = path.end == PathEnd::end_factor;
+  curve.outcome = described(path);
+  curve.iterations = path.iterations;
+  if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
+  return curve;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,130 @@
+#include "reference/solve/paths/continuation_step.hpp"
+
+#include <cmath>
+
+namespace halfway::reference {
+namespace {
+
+constexpr int kIterations = 12;
+
+/// Are all entries numbers? Their squares are, unless one of them is not or overflows.
+template <class M>
+bool all_finite(const M& m) {
+  using std::isfinite;
+  return isfinite(m.squaredNorm());
+}
+
+}  // namespace
+
+template <class T>
+ArcState<T> ContinuationStep<T>::moved(const ArcState<T>& from, const ArcVector<T>& v) const {
+  const int n = problem_.unknowns();
+  NodeVector<T> step = v.head(n);
+  if (problem_.kind() != Kind::angular) step.template head<3>() *= T(scales_.length);
+  return {problem_.displaced(from.b, step), from.factor + T(scales_.factor) * v[n]};
+}
+
+template <class T>
+ArcVector<T> ContinuationStep<T>::difference(const ArcState<T>& from, const ArcState<T>& to) const {
+  const int n = problem_.unknowns();
+  ArcVector<T> v(n + 1);
+  if (problem_.kind() != Kind::angular) v.template head<3>() = (to.b.x - from.b.x) / T(scales_.length);
+  if (problem_.kind() != Kind::linear)
+    v.template segment<3>(n - 3) = so3::log<T>(to.b.R * from.b.R.transpose());
+  v[n] = (to.factor - from.factor) / T(scales_.factor);
+  return v;
+}
+
+template <class T>
+typename ContinuationStep<T>::Bordered ContinuationStep<T>::bordered(const ArcState<T>& at) const {
+  const int n = problem_.unknowns();
+  const NodeBalance<T> balance = problem_.balance(at.b, at.factor);
+  ArcVector<T> scale = ArcVector<T>::Ones(n);
+  if (problem_.kind() != Kind::angular) scale.template head<3>().setConstant(T(scales_.length));
+  const T unit(scales_.stiffness);
+  Bordered out{ArcMatrix<T>::Zero(n + 1, n + 1), ArcVector<T>::Zero(n + 1)};
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) out.matrix(i, j) = scale[i] * balance.tangent(i, j) * scale[j] / unit;
+    out.matrix(i, n) = -scale[i] * balance.by_factor[i] * T(scales_.factor) / unit;
+    out.imbalance[i] = scale[i] * balance.imbalance[i] / unit;
+  }
+  return out;
+}
+
+template <class T>
+ArcMatrix<T> ContinuationStep<T>::equilibrium_rows(const ArcState<T>& at) const {
+  return bordered(at).matrix.topRows(problem_.unknowns());
+}
+
+template <class T>
+Correction<T> ContinuationStep<T>::corrected(const ArcState<T>& base, const ArcVector<T>& normal,
+                                             const T& distance, const ArcState<T>& start) const {
+  const int n = problem_.unknowns();
+  const T start_of_rounding(1e-5);  // quadratic convergence: the next step is at 1e-10, then rounding
+  const T nothing = Eigen::NumTraits<T>::epsilon() * Eigen::NumTraits<T>::epsilon();
+  Correction<T> out;
+  out.state = start;
+  T previous(0);
+  for (out.iterations = 1; out.iterations <= kIterations; ++out.iterations) {
+    Bordered system = bordered(out.state);
+    const ArcVector<T> gone = difference(base, out.state);
+    ArcVector<T> row = normal;
+    if (problem_.kind() != Kind::linear)
+      row.template segment<3>(n - 3) = so3::gamma_inverse<T>(gone.template segment<3>(n - 3)).transpose() *
+                                       normal.template segment<3>(n - 3);
+    system.matrix.row(n) = row.transpose();
+    system.imbalance[n] = distance - normal.dot(gone);
+    const ArcVector<T> step = system.matrix.partialPivLu().solve(system.imbalance);
+    out.finite = all_finite(system.matrix) && all_finite(step);
+    if (!out.finite) return out;
+    const T size = step.norm();
+    if (out.iterations == 1) out.first = double(size);
+    if (out.iterations == 2 && out.first > 0) out.contraction = double(size) / out.first;
+    out.converged = out.iterations > 1 && size <= start_of_rounding && size >= previous / T(4);
+    if (out.converged || (out.iterations > 2 && size > previous)) return out;
+    out.state = moved(out.state, step);
+    out.converged = size <= nothing;
+    if (out.converged) return out;
+    previous = size;
+  }
+  return out;
+}
+
+template <class T>
+Correction<T> ContinuationStep<T>::ahead(const ArcState<T>& base, const ArcVector<T>& tangent,
+                                         const T& distance) const {
+  return corrected(base, tangent, distance, moved(base, ArcVector<T>(distance * tangent)));
+}
+
+template <class T>
+Direction<T> ContinuationStep<T>::direction(const ArcState<T>& at, const ArcVector<T>& towards) const {
+  const int n = problem_.unknowns();
+  ArcMatrix<T> matrix = bordered(at).matrix;
+  matrix.row(n) = towards.transpose();
+  const ArcVector<T> last = ArcVector<T>::Unit(n + 1, n);
+  Direction<T> out;
+  out.tangent = matrix.partialPivLu().solve(last).normalized();
+  matrix.row(n) = out.tangent.transpose();
+  out.determinant = matrix.partialPivLu().determinant();
+  out.tangent_stiffness = matrix.topLeftCorner(n, n).partialPivLu().determinant();
+  return out;
+}
+
+template class ContinuationStep<double>;
+template class ContinuationStep<Real50>;
+
+ArcScales arc_scales(const EquilibriumProblem<double>& problem, double factor) {
+  const NodeBalance<double> rest = problem.balance(problem.start(), 0);
+  ArcScales out;
+  out.factor = factor;
+  if (problem.kind() == Kind::linear)
+    out.length = rest.tangent.partialPivLu().solve(rest.by_factor).norm() * std::abs(factor);
+  if (problem.kind() == Kind::linear_angular)
+    out.length = std::sqrt(
+        std::abs(rest.tangent.diagonal().tail<3>().sum() / rest.tangent.diagonal().head<3>().sum()));
+  const ContinuationStep<double> unscaled(problem, out);
+  out.stiffness = unscaled.equilibrium_rows({problem.start(), 0}).leftCols(problem.unknowns()).norm();
+  return out;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,46 @@
+#include "reference/solve/paths/singular_algebra.hpp"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
+#include <memory>
+
+namespace halfway::reference {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+gsl_matrix_view view(RowMajor& m) {
+  return gsl_matrix_view_array(m.data(), std::size_t(m.rows()), std::size_t(m.cols()));
+}
+
+}  // namespace
+
+std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& matrix) {
+  if (!matrix.allFinite()) return {};
+  gsl_set_error_handler_off();
+  const auto n = std::size_t(matrix.rows());
+  RowMajor destroyed = matrix;
+  gsl_matrix_view m = view(destroyed);
+  std::vector<std::complex<double>> out(n);
+  gsl_vector_complex_view values = gsl_vector_complex_view_array(reinterpret_cast<double*>(out.data()), n);
+  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> work(
+      gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
+  if (gsl_eigen_nonsymm(&m.matrix, &values.vector, work.get()) != GSL_SUCCESS) return {};
+  return out;
+}
+
+SingularValues singular_values(const Eigen::MatrixXd& matrix) {
+  gsl_set_error_handler_off();
+  RowMajor u = RowMajor::Zero(matrix.cols(), matrix.cols()), v = u;
+  u.topRows(matrix.rows()) = matrix;
+  SingularValues out{Eigen::VectorXd(matrix.cols()), {}};
+  gsl_matrix_view u_view = view(u), v_view = view(v);
+  gsl_vector_view values = gsl_vector_view_array(out.values.data(), std::size_t(out.values.size()));
+  gsl_linalg_SV_decomp_jacobi(&u_view.matrix, &v_view.matrix, &values.vector);
+  out.v = v;
+  return out;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,51 @@
+// Scenes solved: the curve of each formulation, with an honest outcome.
+#pragma once
+
+#include "reference/face/registry.hpp"
+#include "reference/scene/scene.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace halfway::reference {
+
+/// The path of one formulation through one scene.
+struct Curve {
+  std::string scene;
+  std::string formulation;
+  double xi = 0.5;
+  std::vector<std::string> columns;       ///< "factor", then the scene's outputs
+  std::vector<std::vector<double>> rows;  ///< as many as converged; NaN never
+  bool converged = false;                 ///< up to the scene's last load factor
+  std::string outcome;                    ///< for people: "converged" or why not, and where
+  int iterations = 0;                     ///< Newton iterations of the whole path
+  double residual = 0;                    ///< at the last point, relative to the load
+};
+
+/// The purely linear analysis: it exists for scenes only and is no entry of the catalog.
+inline constexpr const char* kLinearized = "linearized";
+
+/// A formulation and its xi, where it has one; no entry stands for kLinearized.
+struct Choice {
+  const Entry* entry;
+  double xi;
+};
+
+/// What a scene asks for, in the catalog's order, the linear analysis last; formulations that refuse
+/// the scene's law (accepts_law) are left out.
+std::vector<Choice> choices(const Scene& scene);
+
+/// Does the formulation take this law? drake_rpy refuses coupling of translation and rotation.
+bool accepts_law(const Entry& entry, const JointSpec& spec);
+
+/// Who is told of each point of a path as it is reached: (points reached, points asked for).
+using Told = std::function<void(int done, int total)>;
+
+/// Solves `scene` with one choice. Never throws for a path that ends early: the outcome says so.
+Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {});
+
+/// The curve of a choice before it is solved: names and columns, no rows.
+Curve empty_curve(const Scene& scene, const Choice& choice);
+
+}  // namespace halfway::reference

@@ -1,0 +1,162 @@
+#include "reference/solve/stability/critical.hpp"
+
+#include "reference/solve/stability/critical_zeros.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace halfway::reference {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+constexpr int kSteps = 1501;         // odd, so that no sample falls on a gimbal lock
+constexpr double kNothing = 1e-9;    // of the stiffness: rounding of moments is far below, a jump far above
+constexpr double kRounding = 1e-13;  // of a sixth power of rates in double
+
+template <class T>
+Mat3<T> about(int axis, const T& angle) {
+  return so3::exp<T>(angle * Vec3<T>::Unit(axis));
+}
+
+template <class T>
+AngularLoads<T> internal(const Entry& entry, const JointSpec& spec, const Mat3<T>& R) {
+  Pose<T> b;
+  b.R = R;
+  return entry.in<T>().angular(spec, Pose<T>{}, b, true);
+}
+
+template <class T>
+LoadedState<T> with_moment(const AngularLoads<T>& inside, const Mat3<T>& R, int axis,
+                           const MomentSetting& setting, const T& angle) {
+  const MomentLoad<T> load{setting.type, axis, setting.square_unstrained ? T(0) : angle};
+  const AppliedMoment<T> unit = applied_moment<T>(load, T(1), R);
+  const T M = inside.m_b[axis] / unit.m_M[axis];
+  return {R, inside.m_b_wb - M * unit.m_w, M};
+}
+
+/// Does a state without moment across the axis exist here? @param scale  N m
+bool on_axis(const AngularLoads<double>& loads, int axis, double scale) {
+  Vec3<double> across = loads.m_b;
+  across[axis] = 0;
+  return loads.m_b_wb.allFinite() && across.norm() <= kNothing * scale;
+}
+
+/// The last angle at which `holds`, which it does at `low` and does not at `high`.
+double last_angle(const std::function<bool(double)>& holds, double low, double high) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+template <class T>
+Signed<T> determinant_of(const Characteristic<T>& c) {
+  using std::abs;
+  return {c.det, abs(c.trace * c.trace * c.trace)};
+}
+
+template <class T>
+Signed<T> discriminant_of(const Characteristic<T>& c) {
+  using std::abs;
+  const T trace2 = c.trace * c.trace, minors2 = c.minors * c.minors, det2 = c.det * c.det;
+  return {c.discriminant(), trace2 * trace2 * trace2 + abs(minors2 * c.minors) + det2};
+}
+
+}  // namespace
+
+const char* to_string(const MomentSetting& setting) {
+  return setting.square_unstrained ? "dead_couples" : to_string(setting.type);
+}
+
+template <class T>
+LoadedState<T> loaded_state(const Entry& entry, const JointSpec& spec, int axis, const MomentSetting& setting,
+                            const T& angle) {
+  const Mat3<T> R = about(axis, angle);
+  return with_moment(internal(entry, spec, R), R, axis, setting, angle);
+}
+
+template LoadedState<double> loaded_state(const Entry&, const JointSpec&, int, const MomentSetting&,
+                                          const double&);
+template LoadedState<Real50> loaded_state(const Entry&, const JointSpec&, int, const MomentSetting&,
+                                          const Real50&);
+
+const char* to_string(SearchEnd end) {
+  switch (end) {
+    case SearchEnd::half_turn:
+      return "half a turn";
+    case SearchEnd::off_axis:
+      return "gimbal lock";
+    default:
+      return "no more load";
+  }
+}
+
+StabilityKind CriticalLoads::first() const {
+  if (flutter && (!divergence || flutter->angle < divergence->angle)) return StabilityKind::flutter;
+  return divergence ? StabilityKind::divergence : StabilityKind::stable;
+}
+
+PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis)
+    : entry_(entry), spec_(std::move(spec)), axis_(axis) {
+  samples_.reserve(kSteps + 1);
+  const auto loads_at = [&](double angle) { return internal(entry_, spec_, about(axis_, angle)); };
+  double scale = loads_at(0).m_b_wb.norm();
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = (kPi - 1e-6) * i / kSteps;
+    const AngularLoads<double> now = loads_at(angle);
+    if (!on_axis(now, axis_, scale)) {
+      const auto holds = [&](double x) { return on_axis(loads_at(x), axis_, scale); };
+      end_angle_ = last_angle(holds, end_angle_, angle);
+      end_ = SearchEnd::off_axis;
+      return;
+    }
+    scale = std::max(scale, std::abs(now.m_b[axis_]));
+    samples_.push_back({angle, now});
+    end_angle_ = angle;
+  }
+}
+
+CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyInertia& body) const {
+  const auto at = [&](const Real50& angle) {
+    const auto p = loaded_state<Real50>(entry_, spec_, axis_, setting, angle);
+    return characteristic(p.J, body, p.R);
+  };
+  const auto critical_at = [&](const std::optional<Real50>& angle) -> std::optional<Critical> {
+    if (!angle) return std::nullopt;
+    return Critical{loaded_state<Real50>(entry_, spec_, axis_, setting, *angle).load, *angle};
+  };
+  const Function50 determinant = [&](const Real50& angle) { return determinant_of(at(angle)); };
+  const Function50 discriminant = [&](const Real50& angle) { return discriminant_of(at(angle)); };
+
+  CriticalLoads out{{}, {}, end_angle_, end_};
+  double before = 0, before_angle = 0;
+  for (const Sample& s : samples_) {
+    const Mat3<double> R = about(axis_, s.angle);
+    const auto point = with_moment<double>(s.loads, R, axis_, setting, s.angle);
+    if (s.angle > 0 && !(point.load > 0)) {
+      const auto holds = [&](double x) {
+        return loaded_state<double>(entry_, spec_, axis_, setting, x).load > 0;
+      };
+      out.end_angle = last_angle(holds, before_angle, s.angle);
+      out.end = SearchEnd::no_more_load;
+      return out;
+    }
+    const auto c = characteristic(point.J, body, R);
+    if (!out.divergence && before != 0 && (c.det < 0) != (before < 0))
+      out.divergence = critical_at(sign_change(determinant, before_angle, s.angle));
+    const auto d = discriminant_of(c);
+    if (!out.flutter && s.angle > 0 && d.value < -kRounding * d.size)
+      out.flutter = critical_at(first_negative(discriminant, s.angle - before_angle, s.angle));
+    if (out.divergence && out.flutter) break;  // where the path ends then does not matter
+    before = c.det;
+    before_angle = s.angle;
+  }
+  return out;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,188 @@
+// The joints as their sources print them, in global axes and with sines and cosines: an independent
+// road to the loads that formulations/ computes in the axes of P_a from quaternions and series.
+//
+// Good for generic angles only, 0 < phi < pi: the formulas divide by sin(phi) and phi. Each form has
+//   loads(spec, a, b)         (f_a, m_a, f_b, m_b), global axes, N and N m, moments about the nodes
+// Equation numbers are the paper's. Nothing here calls formulations/so3.hpp.
+#pragma once
+
+#include "reference/face/joint_spec.hpp"
+
+#include <cmath>
+
+namespace halfway::reference::closed {
+
+template <class T>
+using Loads = Eigen::Matrix<T, 12, 1>;
+
+/// Rodrigues' formula.
+template <class T>
+Mat3<T> rotation(const Vec3<T>& theta) {
+  using std::cos, std::sin;
+  const T phi = theta.norm();
+  const Mat3<T> n = skew<T>(theta / phi);
+  return Mat3<T>::Identity() + sin(phi) * n + (T(1) - cos(phi)) * n * n;
+}
+
+/// ax(log R) [5] by the angle between sin(phi) and cos(phi).
+template <class T>
+Vec3<T> rotation_vector(const Mat3<T>& R) {
+  using std::atan2;
+  const Vec3<T> sine = axial(R);
+  const T size = sine.norm();
+  return atan2(size, T((R.trace() - T(1)) / T(2))) / size * sine;
+}
+
+/// Gamma [27].
+template <class T>
+Mat3<T> gamma(const Vec3<T>& theta) {
+  using std::cos, std::sin;
+  const T phi = theta.norm();
+  const Mat3<T> x = skew(theta);
+  return Mat3<T>::Identity() + (T(1) - cos(phi)) / (phi * phi) * x +
+         (phi - sin(phi)) / (phi * phi * phi) * x * x;
+}
+
+/// What every form reads of the two poses, in global axes.
+template <class T>
+struct Geometry {
+  Mat3<T> P_a, P_b;
+  Vec3<T> arm_a, arm_b;  ///< R_i o_i
+  Vec3<T> d;             ///< p_b - p_a [9]
+  Vec3<T> theta;         ///< in the axes of P_a [4, 5]
+};
+
+template <class T>
+Geometry<T> geometry(const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+  Geometry<T> g;
+  g.P_a = a.R * spec.a.H.template cast<T>();
+  g.P_b = b.R * spec.b.H.template cast<T>();
+  g.arm_a = a.R * spec.a.o.template cast<T>();
+  g.arm_b = b.R * spec.b.o.template cast<T>();
+  g.d = b.x + g.arm_b - a.x - g.arm_a;
+  g.theta = rotation_vector<T>(g.P_a.transpose() * g.P_b);
+  return g;
+}
+
+/// fbar and mbar of the spec's law, and its energy; what the kind has not is zero.
+template <class T>
+struct Stress {
+  Vec3<T> f = Vec3<T>::Zero(), m = Vec3<T>::Zero();
+  T energy{0};
+};
+
+template <class T>
+Stress<T> stress(const JointSpec& spec, const Vec3<T>& dbar, const Vec3<T>& angle) {
+  Stress<T> out;
+  if (spec.kind == Kind::linear_angular) {
+    const AnyLaw<T, 6> law(spec.law);
+    Eigen::Matrix<T, 6, 1> strain;
+    strain << dbar, angle;
+    const auto all = law(strain).stress;
+    return {all.template head<3>(), all.template tail<3>(), law.energy(strain)};
+  }
+  const AnyLaw<T, 3> law(spec.law);
+  const bool linear = spec.kind == Kind::linear;
+  (linear ? out.f : out.m) = law(linear ? dbar : angle).stress;
+  out.energy = law.energy(linear ? dbar : angle);
+  return out;
+}
+
+template <class T>
+Loads<T> join(const Vec3<T>& f_a, const Vec3<T>& m_a, const Vec3<T>& f_b, const Vec3<T>& m_b) {
+  Loads<T> q;
+  q << f_a, m_a, f_b, m_b;
+  return q;
+}
+
+/// The frame xi of the paper and the loads that follow from it.
+struct Intrinsic {
+  /// R^ [20a].
+  template <class T>
+  static Mat3<T> frame(const Geometry<T>& g, const T& xi) {
+    return xi == T(0) ? g.P_a : Mat3<T>(g.P_a * rotation<T>(xi * g.theta));
+  }
+  /// I^ [26].
+  template <class T>
+  static Mat3<T> frame_spin(const Geometry<T>& g, const T& xi) {
+    if (xi == T(0)) return Mat3<T>::Zero();
+    const Mat3<T> R = frame(g, xi);
+    const Mat3<T> tilde = gamma<T>(xi * g.theta) * gamma(g.theta).inverse();
+    return xi * g.P_a * tilde * (g.P_a.transpose() * R) * R.transpose();
+  }
+  /// Moments of F = R^ fbar about the nodes [30b, 30d].
+  template <class T>
+  static Vec3<T> moment_a(const Geometry<T>& g, const T& xi, const Vec3<T>& F) {
+    return -(g.arm_a.cross(F) + frame_spin<T>(g, T(1) - xi) * g.d.cross(F));
+  }
+  template <class T>
+  static Vec3<T> moment_b(const Geometry<T>& g, const T& xi, const Vec3<T>& F) {
+    return g.arm_b.cross(F) - frame_spin(g, xi).transpose() * g.d.cross(F);
+  }
+  /// [19] and [30] together.
+  template <class T>
+  static Loads<T> loads(const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+    const Geometry<T> g = geometry(spec, a, b);
+    const T xi(spec.xi);
+    const Mat3<T> R = frame(g, xi);
+    const Stress<T> s = stress<T>(spec, R.transpose() * g.d, g.theta);
+    const Vec3<T> F = R * s.f, M = R * s.m;
+    return join<T>(-F, moment_a(g, xi, F) - M, F, moment_b(g, xi, F) + M);
+  }
+};
+
+/// The law sees nu = 4 tan(phi/4) n in the half-way frame; M = sec^2(phi/4) R^ mbar.
+struct Conformal {
+  template <class T>
+  static Loads<T> loads(const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+    using std::cos, std::sin;
+    const Geometry<T> g = geometry(spec, a, b);
+    const T phi = g.theta.norm();
+    const T cosine = cos(T(phi / T(4)));
+    const Mat3<T> R = Intrinsic::frame(g, T(0.5));
+    const Vec3<T> nu = T(4) * sin(T(phi / T(4))) / cosine / phi * g.theta;
+    const Stress<T> s = stress<T>(spec, R.transpose() * g.d, nu);
+    const Vec3<T> F = R * s.f, M = R * s.m / (cosine * cosine);
+    return join<T>(-F, Intrinsic::moment_a(g, T(0.5), F) - M, F, Intrinsic::moment_b(g, T(0.5), F) + M);
+  }
+};
+
+/// JOINTC literally: strains and their gradients by products of the axes e_i of the two nodes [52-56];
+/// the force refers to node a [31].
+struct Jointc {
+  static constexpr int kNext[] = {1, 2, 0};  // i, j, k = 1 2 3, 2 3 1, 3 1 2
+
+  template <class T>
+  static Vec3<T> strain(const Geometry<T>& g) {  // [52]
+    Vec3<T> psi;
+    for (int i = 0; i < 3; ++i) {
+      const int j = kNext[i], k = kNext[j];
+      psi[k] = (g.P_b.col(i) - g.P_a.col(i)).dot(g.P_b.col(j) + g.P_a.col(j)) / T(2);
+    }
+    return psi;
+  }
+  /// Row k: d(psi_k) by the spin of node a, or b [55].
+  template <class T>
+  static Mat3<T> gradient(const Geometry<T>& g, bool of_a) {
+    Mat3<T> out;
+    for (int i = 0; i < 3; ++i) {
+      const int j = kNext[i], k = kNext[j];
+      const Vec3<T> sum = g.P_b.col(j) + g.P_a.col(j), step = g.P_b.col(i) - g.P_a.col(i);
+      const Vec3<T> a_i = g.P_a.col(i), a_j = g.P_a.col(j), b_i = g.P_b.col(i), b_j = g.P_b.col(j);
+      const Vec3<T> by_a = (sum.cross(a_i) - step.cross(a_j)) / T(2);
+      const Vec3<T> by_b = -(sum.cross(b_i) + step.cross(b_j)) / T(2);
+      out.row(k) = (of_a ? by_a : by_b).transpose();
+    }
+    return out;
+  }
+  template <class T>
+  static Loads<T> loads(const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+    const Geometry<T> g = geometry(spec, a, b);
+    const Stress<T> s = stress<T>(spec, g.P_a.transpose() * g.d, strain(g));
+    const Vec3<T> F = g.P_a * s.f;
+    return join<T>(-F, -(g.arm_a + g.d).cross(F) + gradient(g, true).transpose() * s.m, F,
+                   g.arm_b.cross(F) + gradient(g, false).transpose() * s.m);
+  }
+};
+
+}  // namespace halfway::reference::closed

@@ -1,0 +1,15 @@
+// Every command: `halfway-suite`.
+#include "reports/cli/commands.hpp"
+
+namespace halfway::reports {
+
+void add_commands(CLI::App& app) {
+  add_list(app);
+  add_run(app);
+  add_eval(app);
+  add_bench(app);
+  add_report(app);
+  add_reference(app);
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,144 @@
+// halfway report: verifies, solves the scenes, times, and writes the page and its data.
+#include "bench/harness/timing.hpp"
+#include "bench/questions/methods/skipped.hpp"
+#include "reports/cli/commands.hpp"
+#include "reports/cli/progress.hpp"
+#include "reports/views/paper.hpp"
+#include "reports/views/solids.hpp"
+#include "reports/views/speed.hpp"
+#include "reports/views/stability.hpp"
+#include "reports/views/writers.hpp"
+#include "verify/check.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace halfway::reports {
+namespace {
+
+struct ReportOptions {
+  std::string folder = "out/report";
+  bool quick = false;
+};
+
+/// Wall time of a stage, s.
+template <class Work>
+double timed(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// A check that threw is a failed finding of its name, not the end of the report.
+std::vector<reference::Finding> findings_of(const verify::Check& check) {
+  try {
+    return check.run();
+  } catch (const std::exception& e) {
+    reference::Finding f;
+    f.name = check.name;
+    f.subject = check.name.substr(0, check.name.find('/'));
+    f.reason = e.what();
+    f.value = std::nan("");
+    return {reference::judged(f)};
+  }
+}
+
+void verify_all(Results& results) {
+  const verify::Checks checks = verify::all_checks();
+  Progress progress("verifying");
+  int done = 0;
+  for (const verify::Check& check : checks) {
+    for (const auto& finding : findings_of(check)) results.findings.push_back(finding);
+    progress(++done, int(checks.size()), check.name);
+  }
+  for (const auto& f : results.findings) {
+    if (f.verdict == reference::Verdict::left_out) results.left_out.push_back({f.name, f.reason});
+  }
+}
+
+void solve_all(Results& results) {
+  const auto scenes = reference::canonical_scenes();
+  results.scenes = scene_infos(scenes);
+  Progress progress("solving");
+  int done = 0;
+  for (const auto& scene : scenes) {
+    for (const auto& choice : reference::choices(scene)) {
+      const auto curve = reference::solve_scene(scene, choice);
+      if (!curve.converged) {
+        results.left_out.push_back(
+            {fmt::format("{}/{}, the rest of the path", scene.name, curve.formulation), curve.outcome});
+      }
+      results.curves.push_back(curve);
+    }
+    progress(++done, int(scenes.size()), scene.name);
+  }
+}
+
+void time_all(const ReportOptions& options, Results& results) {
+  bench::Options bench_options;
+  bench_options.json_file = options.folder + "/bench.json";
+  if (options.quick) {
+    bench_options.repetitions = 2;
+    bench_options.min_time = 0.001;
+  }
+  std::filesystem::create_directories(options.folder);
+  bench::Run run = bench::run(bench_options, Progress("timing"));
+  results.context = run.context;
+  results.timings = std::move(run.timings);
+  for (const auto& timing : results.timings) {
+    if (timing.wrong) results.left_out.push_back({timing.name, "not timed: " + timing.message});
+  }
+  for (const auto& [what, reason] : bench::skipped()) results.left_out.push_back({what, reason});
+  results.speed = speed_record(results, run.peaks);
+}
+
+int count(const Results& results, reference::Verdict verdict) {
+  return int(std::ranges::count(results.findings, verdict, &reference::Finding::verdict));
+}
+
+void report(const ReportOptions& options) {
+  Results results;
+  results.command = options.quick ? "./halfway report --quick" : "./halfway report";
+  results.formulations = formulation_infos();
+  results.paper = paper_record();
+  results.solids = solids_record();
+  for (auto& curve : solid_reference_curves()) results.paper["reference_curves"].push_back(std::move(curve));
+  for (const auto& missing : results.solids.at("missing")) {
+    results.left_out.push_back(
+        {missing.at("what"), "its kept data is missing or stale: run ./halfway reference"});
+  }
+  results.durations["verify"] = timed([&] { verify_all(results); });
+  results.durations["solve"] = timed([&] { solve_all(results); });
+  results.durations["stability"] =
+      timed([&] { results.stability = stability_record(Progress("where methods fail")); });
+  results.durations["time"] = timed([&] { time_all(options, results); });
+  write_report(results, options.folder);
+
+  const int failed = count(results, reference::Verdict::fail);
+  const auto wrong = std::ranges::count(results.timings, true, &bench::Timing::wrong);
+  fmt::print("{} findings: {} pass, {} known failures in their bands, {} left out, {} fail; {} timings\n",
+             results.findings.size(), count(results, reference::Verdict::pass),
+             count(results, reference::Verdict::known_failure), count(results, reference::Verdict::left_out),
+             failed, results.timings.size() - wrong);
+  fmt::print("wrote {0}/index.html, results.json, summary.md, junit.xml, bench.json\n", options.folder);
+  if (failed > 0 || wrong > 0) {
+    throw FailedRun(fmt::format("{} findings failed and {} benchmarks were wrong; see {}/summary.md", failed,
+                                wrong, options.folder));
+  }
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Verify, solve, time, and write out/report/index.html");
+  command->add_option("--out", options->folder, "Folder of the report")->capture_default_str();
+  command->add_flag("--quick", options->quick, "Short timings: a smoke run, whose times mean little");
+  command->callback([options] { report(*options); });
+}
+
+}  // namespace halfway::reports

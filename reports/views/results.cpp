@@ -1,0 +1,141 @@
+#include "reports/views/results.hpp"
+
+namespace halfway {
+
+static void to_json(nlohmann::json& json, const Band& band) {
+  json = {{"low", band.low}, {"high", band.high}};
+}
+
+static void to_json(nlohmann::json& json, const PerKind& bands) {
+  json = {{"angular", bands.angular}, {"linear", bands.linear}, {"linear_angular", bands.linear_angular}};
+}
+
+static void to_json(nlohmann::json& json, const Facts& facts) {
+  json = {{"moment_balance", facts.moment_balance},
+          {"node_order", facts.node_order},
+          {"symmetry", facts.symmetry},
+          {"loop_work", facts.loop_work},
+          {"loop_slope", facts.loop_slope},
+          {"clamped_energy", facts.clamped_energy},
+          {"has_fingerprint", facts.has_fingerprint},
+          {"alpha", facts.alpha},
+          {"beta", facts.beta}};
+}
+
+}  // namespace halfway
+
+namespace halfway::bench {
+
+static void to_json(nlohmann::json& json, const Context& context) {
+  json = {{"machine", context.machine}, {"compiler", context.compiler}, {"flags", context.flags},
+          {"commit", context.commit},   {"date", context.date},         {"build_type", context.build_type}};
+}
+
+static void to_json(nlohmann::json& json, const ErrorAt& at) {
+  json = {{"from", at.from}, {"to", at.to}, {"error", at.error}};
+}
+
+static void to_json(nlohmann::json& json, const Timing& timing) {
+  json = {{"name", timing.name},
+          {"formulation", timing.formulation},
+          {"kind", timing.kind},
+          {"what", timing.what},
+          {"implementation", timing.implementation},
+          {"precision", timing.precision},
+          {"isa", timing.isa},
+          {"variant", timing.variant},
+          {"method", timing.method},
+          {"joints", timing.joints},
+          {"threads", timing.threads},
+          {"ns", timing.ns},
+          {"spread", timing.spread},
+          {"error", timing.error},
+          {"errors", timing.errors},
+          {"flops", timing.flops},
+          {"bytes", timing.bytes},
+          {"wrong", timing.wrong},
+          {"message", timing.message}};
+  if (timing.wrong) json["ns"] = nullptr;  // a wrong result has no speed
+}
+
+}  // namespace halfway::bench
+
+namespace halfway::reference {
+
+static void to_json(nlohmann::json& json, const Curve& curve) {
+  json = {{"scene", curve.scene},
+          {"formulation", curve.formulation},
+          {"xi", curve.xi},
+          {"columns", curve.columns},
+          {"rows", curve.rows},
+          {"converged", curve.converged},
+          {"outcome", curve.outcome},
+          {"iterations", curve.iterations},
+          {"residual", curve.residual}};
+}
+
+}  // namespace halfway::reference
+
+namespace halfway::reports {
+
+std::vector<FormulationInfo> formulation_infos() {
+  constexpr std::pair<Kind, const char*> kinds[] = {
+      {Kind::angular, "angular"}, {Kind::linear, "linear"}, {Kind::linear_angular, "linear_angular"}};
+  std::vector<FormulationInfo> infos;
+  for (const auto& entry : reference::formulations()) {
+    FormulationInfo info{std::string(entry.name),
+                         std::string(entry.stands_for),
+                         entry.needs_xi,
+                         entry.probe_xi,
+                         entry.facts,
+                         {}};
+    for (const auto& [kind, name] : kinds)
+      if (entry.has_potential(kind)) info.potential_kinds.emplace_back(name);
+    infos.push_back(std::move(info));
+  }
+  return infos;
+}
+
+std::vector<SceneInfo> scene_infos(const std::vector<reference::Scene>& scenes) {
+  std::vector<SceneInfo> infos;
+  for (const auto& scene : scenes)
+    infos.push_back({scene.name, scene.title, scene.description, scene.source});
+  return infos;
+}
+
+void to_json(nlohmann::json& json, const FormulationInfo& info) {
+  json = {{"name", info.name},         {"stands_for", info.stands_for},
+          {"needs_xi", info.needs_xi}, {"probe_xi", info.probe_xi},
+          {"facts", info.facts},       {"potential_kinds", info.potential_kinds}};
+}
+
+void to_json(nlohmann::json& json, const LeftOut& left_out) {
+  json = {{"what", left_out.what}, {"reason", left_out.reason}};
+}
+
+void to_json(nlohmann::json& json, const SceneInfo& scene) {
+  json = {{"name", scene.name},
+          {"title", scene.title},
+          {"description", scene.description},
+          {"source", scene.source}};
+}
+
+void to_json(nlohmann::json& json, const Results& results) {
+  json = {{"schema", kSchemaName},
+          {"version", kSchemaVersion},
+          {"context", results.context},
+          {"command", results.command},
+          {"formulations", results.formulations},
+          {"scenes", results.scenes},
+          {"findings", results.findings},
+          {"curves", results.curves},
+          {"timings", results.timings},
+          {"left_out", results.left_out},
+          {"paper", results.paper},
+          {"solids", results.solids},
+          {"speed", results.speed},
+          {"stability", results.stability},
+          {"durations", results.durations}};
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,35 @@
+#include "reports/views/stability.hpp"
+
+#include "reports/views/stability_basins.hpp"
+#include "reports/views/stability_defects.hpp"
+#include "reports/views/stability_energy.hpp"
+#include "reports/views/stability_kind.hpp"
+#include "reports/views/stability_paths.hpp"
+#include "reports/views/stability_range.hpp"
+
+#include <iterator>
+
+namespace halfway::reports {
+namespace {
+
+struct Part {
+  const char* name;
+  nlohmann::json (*record)();
+};
+constexpr Part kParts[] = {{"paths", stability_paths_record},   {"kind", stability_kind_record},
+                           {"range", stability_range_record},   {"energy", stability_energy_record},
+                           {"basins", stability_basins_record}, {"defects", stability_defects_record}};
+
+}  // namespace
+
+nlohmann::json stability_record(const std::function<void(int, int, const std::string&)>& progress) {
+  nlohmann::json out = nlohmann::json::object();
+  int done = 0;
+  for (const Part& part : kParts) {
+    out[part.name] = part.record();
+    progress(++done, int(std::size(kParts)), part.name);
+  }
+  return out;
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,108 @@
+#include "reports/views/tally.hpp"
+#include "reports/views/writers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halfway::reports {
+namespace {
+
+using reference::Finding;
+using reference::Verdict;
+
+constexpr const char* kKindNames[] = {"angular", "linear", "linear_angular"};
+constexpr int kListedFailures = 20;  // one screen; all of them are in results.json and on the page
+
+/// Markdown table cell: no pipes, no line breaks.
+std::string cell(std::string text) {
+  for (char& c : text)
+    if (c == '|' || c == '\n') c = '/';
+  return text;
+}
+
+std::string modelling_error(const Results& results, const std::string& formulation, const std::string& kind) {
+  const Finding* f = find_finding(results, formulation + "/" + kind + "/modelling_error");
+  if (!f || f->verdict == Verdict::left_out || !std::isfinite(f->value)) return "-";
+  return f->value < f->uncertainty ? fmt::format("< {:.2g}", f->uncertainty)
+                                   : fmt::format("{:.2g}", f->value);
+}
+
+std::string nanoseconds(const Results& results, const std::string& formulation, const std::string& kind) {
+  const bench::Timing* timing = find_timing(results, formulation, kind, "residual");
+  if (!timing || !(timing->ns > 0 || timing->wrong)) return "-";
+  return timing->wrong ? "wrong" : fmt::format("{:.0f}", timing->ns);
+}
+
+std::string accuracy_table(const Results& results) {
+  std::string text =
+      "| formulation | modelling error: angular | linear | linear/angular | ns per residual: angular | "
+      "linear "
+      "| linear/angular |\n|---|---|---|---|---|---|---|\n";
+  for (const FormulationInfo& info : results.formulations) {
+    text += "| `" + info.name + "` |";
+    for (const char* kind : kKindNames) text += " " + modelling_error(results, info.name, kind) + " |";
+    for (const char* kind : kKindNames) text += " " + nanoseconds(results, info.name, kind) + " |";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string failures(const Results& results) {
+  std::string text;
+  int listed = 0, all = 0;
+  for (const Finding& finding : results.findings) {
+    if (finding.verdict != Verdict::fail || ++all > kListedFailures) continue;
+    text += fmt::format("- `{}`: {}\n", finding.name, cell(explain(finding)));
+    ++listed;
+  }
+  for (const bench::Timing& timing : results.timings)
+    if (timing.wrong) text += fmt::format("- `{}` (benchmark): {}\n", timing.name, cell(timing.message));
+  for (const reference::Curve& curve : results.curves)
+    if (!curve.converged)
+      text += fmt::format("- `{}/{}` (curve ends early): {}\n", curve.scene, curve.formulation,
+                          cell(curve.outcome));
+  if (all > listed) text += fmt::format("- and {} more, see results.json\n", all - listed);
+  return text.empty() ? "Nothing failed.\n" : text;
+}
+
+/// Left out, one line per reason: the same reason often holds for many names.
+std::string left_out(const Results& results) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  const auto add = [&](const std::string& what, const std::string& reason) {
+    for (auto& [known, names] : by_reason)
+      if (known == reason) return names.push_back(what);
+    by_reason.push_back({reason, {what}});
+  };
+  for (const LeftOut& item : results.left_out) add(item.what, item.reason);
+  for (const Finding& finding : results.findings)
+    if (finding.verdict == Verdict::left_out) add(finding.name, finding.reason);
+
+  std::string text;
+  for (const auto& [reason, names] : by_reason) {
+    const std::string more = names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : "";
+    text += fmt::format("- `{}`{}: {}\n", names.front(), more, cell(reason));
+  }
+  return text.empty() ? "Nothing was left out.\n" : text;
+}
+
+}  // namespace
+
+std::string summary_markdown(const Results& results) {
+  const Tally all = tally(results.findings);
+  const bench::Context& c = results.context;
+  return fmt::format(
+      "# Halfway: summary\n\n"
+      "{} findings: **{} passed, {} failed**, {} known failures inside their bands, {} left out.\n\n"
+      "{}\n"
+      "Modelling error: how far the formulation is from the truth, whatever its arithmetic; `<` marks an "
+      "error "
+      "below the uncertainty of the truth itself.\n\n"
+      "## Failed\n\n{}\n## Left out\n\n{}\n"
+      "Machine: {}; {} {}; {}; commit {}; {}. Reproduce with `{}`.\n",
+      all.total(), all.pass, all.fail, all.known_failure, all.left_out, accuracy_table(results),
+      failures(results), left_out(results), c.machine, c.compiler, c.flags, c.build_type, c.commit, c.date,
+      results.command);
+}
+
+}  // namespace halfway::reports

@@ -1,0 +1,68 @@
+#include "verify/oracle/fe_access.hpp"
+
+#include <stdexcept>
+
+namespace halfway::verify {
+namespace fe = reference::fe;
+
+Finding solid_finding(const std::string& name, const std::string& unit, const std::string& reason) {
+  Finding f;
+  f.name = "fe/" + name;
+  f.subject = "fe";
+  f.unit = unit;
+  f.reason = reason;
+  return f;
+}
+
+Finding below(Finding f, double value, double limit, Oracle oracle) {
+  f.value = value;
+  f.high = limit;
+  f.comparison = Comparison::at_most;
+  f.oracle = oracle;
+  return judged(f);
+}
+
+Finding near_to(Finding f, double value, double expected, double limit, Oracle oracle) {
+  f.value = value;
+  f.expected = expected;
+  f.high = limit;
+  f.comparison = Comparison::equal;
+  f.oracle = oracle;
+  return judged(f);
+}
+
+const fe::Characterisation& characterisation(const std::string& body) {
+  static const std::vector<fe::Characterisation> all = [] {
+    auto list = fe::kept_characterisations();
+    for (auto& bearing : fe::kept_bearings()) list.push_back(std::move(bearing));
+    return list;
+  }();
+  for (const auto& c : all) {
+    if (c.body == body) return c;
+  }
+  throw std::runtime_error("the 3D data of body \"" + body +
+                           "\" is missing or not of today's inputs; run ./halfway reference");
+}
+
+fe::Mat6 without_rounding(fe::Mat6 C) {
+  const fe::Vec6 size = C.diagonal().cwiseSqrt();
+  const fe::Mat6 relative = C.cwiseQuotient(size * size.transpose());
+  if (relative.topRightCorner<3, 3>().cwiseAbs().maxCoeff() > 1e-9) return C;
+  C.topRightCorner<3, 3>().setZero();
+  C.bottomLeftCorner<3, 3>().setZero();
+  return C;
+}
+
+std::vector<fe::SolidCurve> solid_curves(const std::string& scene) {
+  static const std::vector<fe::SolidCurve> all = fe::kept_curves();
+  std::vector<fe::SolidCurve> out;
+  for (const auto& curve : all) {
+    if (curve.scene == scene) out.push_back(curve);
+  }
+  if (out.empty())
+    throw std::runtime_error("the 3D curves of scene \"" + scene +
+                             "\" are missing or not of today's inputs; run ./halfway reference");
+  return out;
+}
+
+}  // namespace halfway::verify

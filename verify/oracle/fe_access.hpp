@@ -1,0 +1,28 @@
+// What the checks of the 3D truth share: their findings, and the kept data by name.
+#pragma once
+
+#include "reference/truth/fe/studies/studies.hpp"
+#include "verify/check.hpp"
+
+namespace halfway::verify {
+
+/// A finding on a solid: name "fe/...", subject "fe".
+Finding solid_finding(const std::string& name, const std::string& unit, const std::string& reason);
+
+/// at_most `limit`.
+Finding below(Finding f, double value, double limit, Oracle oracle);
+
+/// Equal to `expected` within `limit`, both in the finding's unit.
+Finding near_to(Finding f, double value, double expected, double limit, Oracle oracle);
+
+/// The kept characterisation of a body. Throws std::runtime_error saying how to make it.
+const reference::fe::Characterisation& characterisation(const std::string& body);
+
+/// A compliance whose coupling of translation and rotation is rounding (1e-9) becomes exactly block diagonal:
+/// some formulations refuse a coupled law.
+reference::fe::Mat6 without_rounding(reference::fe::Mat6 C);
+
+/// The kept curves that are the truth of a scene. Throws std::runtime_error saying how to make them.
+std::vector<reference::fe::SolidCurve> solid_curves(const std::string& scene);
+
+}  // namespace halfway::verify

@@ -1,0 +1,15 @@
+// The moments of the loads on the two nodes, about one point, sum to zero.
+#include "verify/oracle/property.hpp"
+
+namespace halfway::verify {
+
+void moment_balance(Checks& checks) {
+  add_property(checks, "moment_balance", {Kind::angular, Kind::linear, Kind::linear_angular},
+               [](const Entry& entry, Kind kind, Finding f) {
+                 hold(f, moment_balance(of(entry), probes(entry, kind, 8, 0.8)),
+                      entry.facts.moment_balance.of(kind));
+                 return f;
+               });
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,14 @@
+// Listing the nodes in the other order changes nothing.
+#include "verify/oracle/property.hpp"
+
+namespace halfway::verify {
+
+void node_order(Checks& checks) {
+  add_property(checks, "node_order", {Kind::angular, Kind::linear, Kind::linear_angular},
+               [](const Entry& entry, Kind kind, Finding f) {
+                 hold(f, node_swap(of(entry), probes(entry, kind, 8, 0.8)), entry.facts.node_order.of(kind));
+                 return f;
+               });
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,14 @@
+// A rigid motion of both nodes turns the loads and does nothing else.
+#include "verify/oracle/property.hpp"
+
+namespace halfway::verify {
+
+void objectivity(Checks& checks) {
+  add_property(checks, "objectivity", {Kind::angular, Kind::linear, Kind::linear_angular},
+               [](const Entry& entry, Kind kind, Finding f) {
+                 hold(f, objectivity(of(entry), probes(entry, kind, 8, 3.0)), {});
+                 return f;
+               });
+}
+
+}  // namespace halfway::verify

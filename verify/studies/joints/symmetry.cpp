@@ -1,0 +1,15 @@
+// The tangent is symmetric but for the commutator of the spins: exactly so when there is a potential.
+#include "verify/oracle/property.hpp"
+
+namespace halfway::verify {
+
+void symmetry(Checks& checks) {
+  add_property(checks, "symmetry", {Kind::angular, Kind::linear, Kind::linear_angular},
+               [](const Entry& entry, Kind kind, Finding f) {
+                 hold(f, symmetry_defect(of(entry), probes(entry, kind, 8, 0.8)),
+                      entry.facts.symmetry.of(kind));
+                 return f;
+               });
+}
+
+}  // namespace halfway::verify

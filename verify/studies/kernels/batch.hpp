@@ -1,0 +1,43 @@
+// Joints with their 50-digit loads, and the same joints as tables of a batch.
+#pragma once
+
+#include "halfway/batch/table.hpp"
+#include "reference/face/kernel_entry.hpp"
+#include "verify/oracle/property.hpp"
+
+#include <vector>
+
+namespace halfway::verify {
+
+/// One joint of a batch, its law the spec's own, its ends those of the whole batch.
+struct BatchJoint {
+  JointSpec spec;
+  reference::QuaternionPose<double> a, b;
+  double phi = 0;
+  NodeLoads<Real50> exact{};
+  double steepness = 0;  ///< of its measure, see poles.hpp
+  double scale = 0;      ///< |K| |strain|, what an error of the loads is relative to
+};
+
+/// 40 joints, phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.
+/// @param single  poses rounded to float, and none nearer to pi than float can tell
+/// @param ends  third turns and offsets of order one on both nodes; else none
+std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::Law law, bool ends, bool single);
+
+/// The tables of some joints, and of their results.
+template <class T>
+struct BatchTables {
+  batch::Model model;
+  batch::Table<T> q_a, q_b, x_a, x_b, law, direction, loads, tangent;
+  batch::End<T> end_a, end_b;
+  bool ends;
+  long count;
+
+  BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, batch::Law law, bool ends, int rows);
+  batch::Joints<T> joints() const;
+  batch::Results<T> results() { return {loads.columns(), tangent.columns()}; }
+  /// Loads and, if `output` has them, all 144 entries of joint i.
+  NodeLoads<T> at(long i, batch::Output output) const;
+};
+
+}  // namespace halfway::verify

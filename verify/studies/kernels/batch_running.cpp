@@ -1,0 +1,252 @@
+// How a batch runs must not change what it returns: any number of joints, threads, stores past the
+// caches, shared laws, mixtures; and what is wrong with one is said by name.
+#include "halfway/batch/plan.hpp"
+#include "verify/studies/kernels/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace halfway::verify {
+namespace {
+
+using batch::Batch, batch::Isa, batch::Law, batch::Options, batch::Output, batch::Streaming;
+using Tables = BatchTables<double>;
+
+constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
+
+Finding counted(const std::string& name, double wrong, const std::string& reason) {
+  Finding f;
+  f.name = "batch/" + name;
+  f.subject = name;
+  f.value = wrong;
+  f.unit = "numbers";
+  f.high = 0;
+  f.oracle = Oracle::independent;
+  f.reason = reason;
+  return judged(f);
+}
+
+const Entry& invariant() { return *reference::find_formulation("invariant"); }
+
+/// Many joints: those with 50 digits, over and over.
+std::vector<BatchJoint> repeated(Kind kind, int count) {
+  const auto some = batch_joints(invariant(), kind, Law::linear, true, false);
+  std::vector<BatchJoint> out;
+  for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
+  return out;
+}
+
+Tables tables_of(const std::vector<BatchJoint>& joints, Output output) {
+  return Tables(invariant(), joints, Law::linear, true,
+                std::max(1, batch::tangent_rows(joints[0].spec.kind, output)));
+}
+
+/// A number no kernel makes: what it lies on was not written.
+constexpr double kCanary = -7.25e77;
+
+void fill(batch::Table<double>& t) {
+  const auto c = t.columns();
+  std::fill_n(c.first, c.size, kCanary);
+}
+
+/// Bits that differ in the first `count` joints, and canaries lost beyond.
+int differences(batch::Table<double>& value, batch::Table<double>& expected, long count) {
+  int out = 0;
+  for (int row = 0; row < value.rows(); ++row) {
+    for (long i = 0; i < value.columns().stride; ++i) {
+      const double wanted = i < count ? expected(row, i) : kCanary;
+      out += std::memcmp(&value(row, i), &wanted, sizeof wanted) != 0;
+    }
+  }
+  return out;
+}
+
+/// The same call with other options, into fresh tables; `count` of the joints.
+int changed_by(const std::vector<BatchJoint>& joints, Isa isa, Output output, long count,
+               const Options& options) {
+  Tables expected = tables_of(joints, output), value = tables_of(joints, output);
+  const Batch batch(expected.model, isa);
+  if (!batch.has<double>(output)) return 0;
+  batch.evaluate(expected.joints(), expected.results(), output);
+  fill(value.loads), fill(value.tangent);
+  auto in = value.joints();
+  in.count = count;
+  batch.evaluate(in, value.results(), output, options);
+  int out = differences(value.loads, expected.loads, count);
+  if (output != Output::residual) out += differences(value.tangent, expected.tangent, count);
+  return out;
+}
+
+template <class Measure>
+Finding over_isas(const std::string& name, const std::string& reason, const Measure& measure) {
+  int wrong = 0;
+  for (const Isa isa : kIsas) {
+    if (!batch::available(isa)) continue;
+    for (const Kind kind : kKinds) {
+      for (const Output output : {Output::residual, Output::tangent, Output::product}) {
+        wrong += measure(isa, kind, output);
+      }
+    }
+  }
+  return counted(name, wrong, reason);
+}
+
+Finding remainders() {
+  return over_isas("remainders", "N = 0 to 40: bit for bit as in one batch of 40, nothing written beyond",
+                   [](Isa isa, Kind kind, Output output) {
+                     const auto joints = repeated(kind, 40);
+                     int wrong = 0;
+                     for (int n = 0; n <= 40; ++n) wrong += changed_by(joints, isa, output, n, {});
+                     return wrong;
+                   });
+}
+
+Finding threads() {
+  return over_isas("threads", "1, 2, 3 and 7 threads: bit for bit", [](Isa isa, Kind kind, Output output) {
+    const auto joints = repeated(kind, 1001);
+    int wrong = 0;
+    for (const int n : {2, 3, 7}) wrong += changed_by(joints, isa, output, 1001, {.threads = n});
+    return wrong;
+  });
+}
+
+Finding streaming() {
+  return over_isas("streaming", "stores past the caches: bit for bit", [](Isa isa, Kind kind, Output output) {
+    return changed_by(repeated(kind, 301), isa, output, 301, {.streaming = Streaming::always});
+  });
+}
+
+/// One law for all, against that law per joint.
+Finding shared_law() {
+  return over_isas("shared_law", "the same numbers per joint: bit for bit",
+                   [](Isa isa, Kind kind, Output output) {
+                     auto joints = repeated(kind, 37);
+                     for (BatchJoint& j : joints) j.spec.law = joints[0].spec.law;
+                     Tables each = tables_of(joints, output), one = tables_of(joints, output);
+                     const Batch batch(each.model, isa);
+                     if (!batch.has<double>(output)) return 0;
+                     batch.evaluate(each.joints(), each.results(), output);
+                     fill(one.loads), fill(one.tangent);
+                     auto in = one.joints();
+                     in.law_per_joint = false;
+                     batch.evaluate(in, one.results(), output);
+                     return differences(one.loads, each.loads, 37) +
+                            (output == Output::residual ? 0 : differences(one.tangent, each.tangent, 37));
+                   });
+}
+
+/// Every formulation and kind in one plan, shuffled, against a batch of one joint each.
+Finding mixed() {
+  std::vector<batch::Member> members;
+  std::vector<BatchJoint> joints;
+  for (const Entry& entry : reference::formulations()) {
+    if (!Batch::knows(entry.name)) continue;
+    for (const Kind kind : kKinds) {
+      members.push_back({{std::string(entry.name), kind, Law::linear, entry.probe_xi}, 0});
+      joints.push_back(repeated(kind, 4)[3]);
+    }
+  }
+  const int kinds = int(members.size()), count = 7 * kinds;
+  std::vector<int> of_joint(count);
+  for (int i = 0; i < count; ++i) of_joint[i] = (i * 5) % kinds;
+  const batch::Plan plan(members, of_joint);
+  batch::Table<double> q_a(4, count), q_b(4, count), x_a(3, count), x_b(3, count), law(21, count),
+      loads(9, count), tangent(81, count), back(9, count), tangent_back(81, count);
+  const batch::EndPair<double> ends{{{0.3, -0.2, 0.1}, {0.5, 0.5, 0.5, 0.5}}, {{0, 0.1, 0.2}, {1, 0, 0, 0}}};
+  for (int k = 0; k < count; ++k) {
+    const BatchJoint& j = joints[of_joint[plan.order()[k]]];
+    const Tables one(invariant(), {j}, Law::linear, true, 1);
+    for (int c = 0; c < 4; ++c) q_a(c, k) = one.q_a(c, 0), q_b(c, k) = one.q_b(c, 0);
+    for (int c = 0; c < 3; ++c) x_a(c, k) = one.x_a(c, 0), x_b(c, k) = one.x_b(c, 0);
+    for (int c = 0; c < one.law.rows(); ++c) law(c, k) = one.law(c, 0);
+  }
+  batch::Joints<double> in;
+  in.count = count, in.law_per_joint = true;
+  in.q_a = std::as_const(q_a).columns(), in.q_b = std::as_const(q_b).columns();
+  in.x_a = std::as_const(x_a).columns(), in.x_b = std::as_const(x_b).columns(),
+  in.law = std::as_const(law).columns();
+  plan.evaluate(in, {loads.columns(), tangent.columns()}, Output::tangent, std::span(&ends, 1));
+  plan.restore<double>(9, std::as_const(loads).columns(), back.columns());
+  plan.restore<double>(81, std::as_const(tangent).columns(), tangent_back.columns());
+
+  int wrong = plan.count() != count;
+  for (int i = 0; i < count; ++i) {
+    const batch::Model& model = members[of_joint[i]].model;
+    Tables one(invariant(), {joints[of_joint[i]]}, Law::linear, true, 81);
+    auto single = one.joints();
+    single.a = &ends.a, single.b = &ends.b;
+    Batch(model).evaluate(single, one.results(), Output::tangent);
+    for (int r = 0; r < batch::load_rows(model.kind); ++r) wrong += back(r, i) != one.loads(r, 0);
+    for (int r = 0; r < batch::tangent_rows(model.kind, Output::tangent); ++r)
+      wrong += tangent_back(r, i) != one.tangent(r, 0);
+  }
+  return counted("mixed", wrong, "all formulations and kinds in one plan: each joint bit for bit as alone");
+}
+
+/// 1 if nothing is thrown, or a message that lacks one of the words.
+template <class Call>
+int silent(const Call& call, std::initializer_list<const char*> words) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    for (const char* word : words) {
+      if (std::strstr(error.what(), word) == nullptr) return 1;
+    }
+    return 0;
+  }
+  return 1;
+}
+
+int refused(const std::function<void(Tables&, batch::Joints<double>&)>& spoil,
+            std::initializer_list<const char*> words) {
+  Tables t = tables_of(repeated(Kind::linear, 20), Output::tangent);
+  batch::Joints<double> in = t.joints();
+  spoil(t, in);
+  return silent([&] { batch::validate(t.model, in, t.results(), Output::tangent); }, words);
+}
+
+Finding refusals() {
+  using In = batch::Joints<double>;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  int wrong = 1 - refused([](Tables&, In&) {}, {});  // nothing wrong: nothing said
+  wrong += refused([](Tables& t, In&) { t.q_b(2, 13) *= 1.5; }, {"joint 13", "q_b", "length"});
+  wrong += refused([](Tables& t, In&) { t.x_a(1, 5) = kNan; }, {"joint 5", "x_a[1]", "nan"});
+  wrong += refused([](Tables& t, In&) { t.law(4, 19) = HUGE_VAL; }, {"joint 19", "law[4]", "inf"});
+  wrong += refused([](Tables&, In& in) { in.q_a.size = 11; }, {"q_a", "11"});
+  wrong += refused([](Tables&, In& in) { in.x_b.first = nullptr; }, {"x_b", "missing"});
+  wrong += refused([](Tables&, In& in) { in.b = nullptr; }, {"one node alone"});
+  wrong += refused([](Tables& t, In&) { t.model.xi = kNan; }, {"xi", "nan"});
+  wrong += silent([] { Batch({.formulation = "invarient"}); }, {"invarient", "invariant"});
+  for (const Isa isa : kIsas) {
+    if (!batch::available(isa)) wrong += silent([&] { batch::choose(isa); }, {batch::to_string(isa), "sse2"});
+  }
+  const char* const kept = std::getenv("HALFWAY_ISA");
+  const std::string before = kept == nullptr ? "" : kept;
+  setenv("HALFWAY_ISA", "mmx", 1);
+  wrong += silent([] { batch::choose({}); }, {"HALFWAY_ISA", "mmx", "sse2"});
+  setenv("HALFWAY_ISA", "sse2", 1);
+  wrong += batch::choose({}) != Isa::sse2;
+  kept == nullptr ? unsetenv("HALFWAY_ISA") : setenv("HALFWAY_ISA", before.c_str(), 1);
+  return counted("refusals", wrong, "each spoilt input is refused, joint, field and value named");
+}
+
+}  // namespace
+
+void batch_running(Checks& checks) {
+  const auto add = [&](const char* name, Finding (*measure)()) {
+    checks.push_back({std::string("batch/") + name, "batch", [measure] { return std::vector{measure()}; }});
+  };
+  add("remainders", remainders);
+  add("threads", threads);
+  add("streaming", streaming);
+  add("shared_law", shared_law);
+  add("mixed", mixed);
+  add("refusals", refusals);
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,152 @@
+// Every polynomial of formulations/kernels/coefficients.hpp against its function at 50 digits.
+//
+// The functions are taken from their closed forms in sines and arctangents, the derivatives of
+// h(w) = phi / sin(phi/2), w = cos(phi/2), from (1 - w^2) h_w = w h - 2 and what follows by
+// differentiation. The limit is what interpolation can leave, from the function's own Chebyshev series.
+#include "halfway/kernels/core/coefficients.hpp"
+#include "reference/numbers/precision.hpp"
+#include "verify/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Real50;
+
+/// A function of its variable on (0, end].
+struct Function {
+  const char* name;
+  Real50 end;
+  Real50 (*value)(const Real50& x);
+};
+
+struct Angle {
+  Real50 h, h1, h2, h3;  ///< by w
+};
+
+/// t = 1 - w. At t = 1e-6 the three quotients lose 18 of the 50 digits.
+Angle angle(const Real50& t) {
+  const Real50 w = 1 - t, s2 = t * (2 - t), s = sqrt(s2);
+  Angle a;
+  a.h = 2 * atan2(s, w) / s;
+  a.h1 = (w * a.h - 2) / s2;
+  a.h2 = (a.h + 3 * w * a.h1) / s2;
+  a.h3 = (4 * a.h1 + 5 * w * a.h2) / s2;
+  return a;
+}
+
+Real50 sine(const Real50& y) {
+  const Real50 x = sqrt(y);
+  return (sin(x) / x - 1) / y;
+}
+
+/// d(sin(x)/x)/dy = (x cos(x) - sin(x)) / (2 x^3).
+Real50 sine_1(const Real50& y) {
+  const Real50 x = sqrt(y);
+  return (x * cos(x) - sin(x)) / (2 * x * y);
+}
+
+Real50 arctangent(const Real50& y) { return atan(sqrt(y)) / sqrt(y); }
+
+/// 2 sum of |a_k|, k > degree: what interpolation of that degree at Chebyshev points can leave, since
+/// every T_k left out is replaced by one of the kept, of size 1 as well. For degrees up to half kNodes.
+class ChebyshevTail {
+ public:
+  explicit ChebyshevTail(const Function& f) {
+    std::vector<Real50> cosine(4 * kNodes), values(kNodes);  // of multiples of pi / (2 kNodes)
+    for (int i = 0; i < 4 * kNodes; ++i) cosine[i] = cos(Real50(i) * reference::pi50() / (2 * kNodes));
+    for (int j = 0; j < kNodes; ++j) values[j] = f.value(f.end * (1 + cosine[2 * j + 1]) / 2);
+    for (int k = 0; k < kNodes; ++k) {
+      Real50 sum(0);
+      for (int j = 0; j < kNodes; ++j) sum += values[j] * cosine[k * (2 * j + 1) % (4 * kNodes)];
+      coefficients_[k] = std::abs(double(2 * sum / kNodes));
+    }
+  }
+  double beyond(int degree) const {
+    double sum = 0;
+    for (int k = kNodes - 1; k > degree; --k) sum += coefficients_[k];
+    return 2 * sum;
+  }
+
+ private:
+  static constexpr int kNodes = 60;  // 5.8^-60 = 1e-46 is left
+  double coefficients_[kNodes];
+};
+
+/// Of doubles as coefficients: half an eps of the leading term and of those that cancel beside it.
+constexpr double kRounded = 3e-16;
+
+struct Worst {
+  Measurement error;
+  double least = HUGE_VAL;  ///< |f|
+};
+
+template <int count>
+Worst measured(const Function& f, const double (&c)[count]) {
+  constexpr int kPoints = 300;
+  Worst worst;
+  for (int i = 0; i <= kPoints; ++i) {
+    // Dense at both ends, as the error's waves are; 1e-6: not 0/0.
+    const double share = std::max(1e-6, (1 - std::cos(std::numbers::pi * i / kPoints)) / 2);
+    const Real50 x = Real50(share) * f.end, exact = f.value(x);
+    Real50 p(0);
+    for (int k = count - 1; k >= 0; --k) p = p * x + Real50(c[k]);
+    const double error = std::abs(double((p - exact) / exact));
+    worst.least = std::min(worst.least, std::abs(double(exact)));
+    worst.error.include(error, fmt::format("at {:.4g}", double(x)));
+  }
+  return worst;
+}
+
+template <int count>
+void add(std::vector<Finding>& out, const Function& f, const ChebyshevTail& tail, const double (&c)[count]) {
+  if constexpr (count > 1) {  // the primary template stands for a degree that there is not
+    constexpr int degree = count - 1;
+    const Worst worst = measured(f, c);
+    out.push_back(at_most(fmt::format("kernel_polynomials/{}/degree_{}", f.name, degree),
+                          "kernel_polynomials", worst.error, tail.beyond(degree) / worst.least + kRounded,
+                          "relative", Oracle::fifty_digits,
+                          "interpolation at Chebyshev points leaves at most twice the rest of the Chebyshev "
+                          "series; 3e-16 for coefficients rounded to double"));
+  }
+}
+
+// Every degree that the header has, up to 40.
+#define HALFWAY_ADD_DEGREES(name, end, value, coefficients)         \
+  [&]<int... degree>(std::integer_sequence<int, degree...>) {       \
+    const Function f{name, end, value};                             \
+    const ChebyshevTail tail(f);                                    \
+    (add(out, f, tail, kernel::detail::coefficients<degree>), ...); \
+  }                                                                 \
+  (std::make_integer_sequence<int, 41>())
+
+std::vector<Finding> polynomials() {
+  std::vector<Finding> out;
+  const Real50 right_angle = reference::pi50() / 2, sine_end = right_angle * right_angle;
+  HALFWAY_ADD_DEGREES(
+      "angle", 1, [](const Real50& t) { return angle(t).h; }, kAngle);
+  HALFWAY_ADD_DEGREES(
+      "angle_1", 1, [](const Real50& t) { return -angle(t).h1 / 2; }, kAngle1);
+  HALFWAY_ADD_DEGREES(
+      "angle_2", 1, [](const Real50& t) { return -angle(t).h2 / 2; }, kAngle2);
+  HALFWAY_ADD_DEGREES(
+      "angle_3", 1, [](const Real50& t) { return -angle(t).h3 / 2; }, kAngle3);
+  HALFWAY_ADD_DEGREES("sine", sine_end, sine, kSine);
+  HALFWAY_ADD_DEGREES("sine_1", sine_end, sine_1, kSine1);
+  HALFWAY_ADD_DEGREES("arctangent", 1, arctangent, kArctangent);
+  return out;
+}
+#undef HALFWAY_ADD_DEGREES
+
+}  // namespace
+
+void kernel_polynomials(Checks& checks) { checks.push_back({"kernel_polynomials", "kernels", polynomials}); }
+
+}  // namespace halfway::verify

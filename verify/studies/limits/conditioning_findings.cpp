@@ -1,0 +1,215 @@
+// How many digits each formulation loses, and to what: error = constant x eps x a known factor. The
+// constants are held; the factors are what conditioning means.
+#include "verify/oracle/property.hpp"
+#include "verify/studies/limits/conditioning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halfway::verify {
+namespace {
+
+using reference::ErrorRow, reference::ErrorRows, reference::errors_at_bad_stiffness,
+    reference::errors_over_distance, reference::errors_over_drift, reference::errors_over_phi,
+    reference::errors_over_ratio, reference::scene_refusal;
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr double kFloatEps = std::numeric_limits<float>::epsilon();
+
+using Scale = double (*)(double x);
+
+/// Largest error of a series over eps x scale(x).
+Finding held(const Entry& entry, const ErrorRows& rows, const std::string& series,
+             const std::string& property, double eps, Scale scale, double limit, const std::string& reason) {
+  Finding f = property_finding(entry, Kind::angular, "conditioning_" + property);
+  if (series.ends_with("linear")) f.kind = "linear";
+  if (series.ends_with("linear_angular")) f.kind = "linear_angular";
+  Measurement worst;
+  for (const ErrorRow& row : rows) {
+    if (row.what != series || !row.note.empty()) continue;
+    worst.include(row.error / (eps * scale(row.x)), fmt::format("{:.2g}", row.x));
+  }
+  f.value = worst.value;
+  f.parameter = worst.where;
+  f.unit = "eps";
+  f.high = limit;
+  f.oracle = Oracle::fifty_digits;
+  f.reason = reason;
+  return judged(f);
+}
+
+bool has(const ErrorRows& rows, const std::string& series) {
+  return std::any_of(rows.begin(), rows.end(), [&](const ErrorRow& r) { return r.what == series; });
+}
+
+ErrorRows up_to_one(ErrorRows rows) {  // beyond, poles and folds of the measure magnify on their own
+  std::erase_if(rows, [](const ErrorRow& r) { return r.x > 1.5; });
+  return rows;
+}
+
+std::vector<Finding> over_phi(const Entry& entry) {
+  const ErrorRows rows = up_to_one(errors_over_phi(entry));
+  const Scale plain = [](double phi) { return 1 / std::min(phi, 1.); };
+  const Scale none = [](double) { return 1.; };
+  const std::string lost = "products of poses leave a few eps of the relative rotation: eps/phi of the loads";
+  std::vector<Finding> out = {held(entry, rows, "phi/double", "phi_double", kEps, plain, 8, lost)};
+  if (has(rows, "phi/kernel"))
+    out.push_back(held(entry, rows, "phi/kernel", "phi_kernel", kEps, plain, 8, lost));
+  if (has(rows, "phi/float"))
+    out.push_back(held(entry, rows, "phi/float", "phi_float", kFloatEps, plain, 8, lost));
+  if (has(rows, "phi/compensated"))
+    out.push_back(held(entry, rows, "phi/compensated", "phi_compensated", kEps, none, 8,
+                       "compensated products: a few roundings at any angle, none magnified"));
+  return out;
+}
+
+/// A known failure of Newton's end, not of a formulation: a step below 1e-5 rad that is not a quarter of the
+/// last one is taken for rounding, which it is not where stiff axes make the convergence slow at first.
+Finding not_to_rounding(const Entry& entry, const Measurement& unfinished) {
+  Finding f = property_finding(entry, Kind::angular, "conditioning_ratio_unfinished");
+  f.value = unfinished.value;
+  f.parameter = unfinished.where;
+  f.unit = "relative";
+  f.oracle = Oracle::fifty_digits;
+  f.reason = "every solve ends at rounding";
+  if (f.value > 0) {
+    f.comparison = Comparison::within;
+    f.low = 1e-7, f.high = 1e-4;
+    f.reason = "solves called converged whose last step was below 1e-5 rad, but no rounding";
+  }
+  return judged(f);
+}
+
+std::vector<Finding> over_ratio(const Entry& entry) {
+  const ErrorRows rows = errors_over_ratio(entry);
+  const Scale none = [](double) { return 1.; };
+  const Scale ratio = [](double r) { return r; };
+  std::vector<Finding> out;
+  for (const std::string law : {"ratio_diagonal", "ratio_rotated"}) {
+    out.push_back(held(entry, rows, law + "/loads", law + "_loads", kEps, none, 10,
+                       "a sum of products, relative to its largest term: no inverse, no ratio"));
+    out.push_back(held(entry, rows, law + "/solve", law + "_solve", kEps, ratio, 8,
+                       "eps of the stiffest axis' moment turns the softest axis by eps x ratio"));
+  }
+  Finding solved = property_finding(entry, Kind::angular, "conditioning_ratio_unsolved");
+  Measurement unfinished;
+  for (const ErrorRow& row : rows) {
+    if (row.note.empty()) continue;
+    const std::string at = fmt::format("{} at {:.0e}: {}", row.what, row.x, row.note);
+    if (std::isfinite(row.error))
+      unfinished.include(row.error, at);
+    else
+      ++solved.value, solved.parameter += at + "; ";
+  }
+  solved.unit = "of 18 solves";
+  solved.reason = "0.3 rad about the softest axis is far from any limit point";
+  out.push_back(not_to_rounding(entry, unfinished));
+  out.push_back(judged(solved));
+  return out;
+}
+
+std::vector<Finding> at_bad_stiffness(const Entry& entry) {
+  return {held(
+      entry, errors_at_bad_stiffness(entry), "singular/loads", "singular_loads", kEps,
+      [](double) { return 1.; }, 4, "loads need no inverse: singular and indefinite laws evaluate")};
+}
+
+/// log of the error's growth from 1e-9 to 1e-4, a decade.
+Finding slope(const Entry& entry, const ErrorRows& rows, const std::string& series, double expected,
+              const std::string& reason) {
+  double first = 0, last = 0;
+  for (const ErrorRow& row : rows) {
+    if (row.what != series) continue;
+    if (std::abs(row.x / 1e-9 - 1) < 1e-6) first = row.error;
+    if (std::abs(row.x / 1e-4 - 1) < 1e-6) last = row.error;
+  }
+  const auto slash = series.find('/');
+  const Kind kind = series.substr(slash + 1) == "angular" ? Kind::angular : Kind::linear_angular;
+  Finding f = property_finding(entry, kind, "conditioning_" + series.substr(0, slash) + "_slope");
+  f.value = std::log10(last / first) / 5;
+  f.parameter = fmt::format("{:.3g} x drift at 1e-4", last / 1e-4);
+  f.comparison = Comparison::equal;
+  f.expected = expected;
+  f.high = 1e-4;
+  f.oracle = Oracle::closed_form;
+  f.reason = reason + "; the next order is 1e-4 of it at the largest drift, 1e-5 of a decade";
+  return judged(f);
+}
+
+std::vector<Finding> over_drift(const Entry& entry) {
+  const ErrorRows rows = errors_over_drift(entry);
+  std::vector<Finding> out;
+  for (const std::string kind : {"angular", "linear_angular"}) {
+    out.push_back(slope(entry, rows, "drift/" + kind, 1, "loads are smooth in the entries of R"));
+    out.push_back(slope(entry, rows, "drift_quaternion/" + kind, 1,
+                        "a quaternion read off some entries is a rotation, but not the nearest one"));
+    out.push_back(slope(entry, rows, "drift_polar/" + kind, 2, "a Newton step towards the nearest rotation"));
+  }
+  return out;
+}
+
+std::vector<Finding> over_distance(const Entry& entry) {
+  const ErrorRows rows = errors_over_distance(entry);
+  // Node and joint points' coordinates, over a strain of 0.1 m.
+  const Scale from_origin = [](double length) { return 1 + (length + 2 * 0.3) / 0.1; };
+  const Scale from_nodes = [](double length) { return 1 + (0.2 + 2 * length) / 0.1; };
+  std::vector<Finding> out;
+  for (const std::string place : {"distance", "offset"}) {
+    for (const std::string kind : {"linear", "linear_angular"}) {
+      Finding f = held(
+          entry, rows, place + "/" + kind, place, kEps, place == "distance" ? from_origin : from_nodes, 8,
+          "a turned arm is 5 roundings of its length (matrix of a quaternion, three products), a "
+          "force as many of its own");
+      f.name = fmt::format("{}/{}/conditioning_{}", entry.name, kind, place);
+      out.push_back(f);
+    }
+  }
+  return out;
+}
+
+/// The scene reader says what is wrong with a law that has no inverse; the same laws evaluate.
+std::vector<Finding> refusals() {
+  struct Bad {
+    const char* what;
+    Mat3<double> K;
+    const char* message;
+  };
+  Mat3<double> indefinite, singular;
+  indefinite << 1, 2, 0, 2, 1, 0, 0, 0, 1;
+  singular << 1, 1, 0, 1, 1, 0, 0, 0, 1;
+  std::vector<Finding> out;
+  for (const Bad& bad : {Bad{"indefinite", indefinite, "is singular or indefinite"},
+                         Bad{"singular", singular, "is singular or indefinite"},
+                         Bad{"negative", Vec3<double>(-1, 1, 2).asDiagonal(), "has -1 on its diagonal"}}) {
+    const std::string message = scene_refusal(bad.K);
+    Finding f;
+    f.name = fmt::format("conditioning/refused/{}", bad.what);
+    f.subject = "conditioning";
+    f.parameter = message.empty() ? "it was accepted" : message;
+    f.value = message.find(bad.message) == std::string::npos;
+    f.unit = "missing message";
+    f.oracle = Oracle::closed_form;
+    f.reason = fmt::format("must say: {}", bad.message);
+    out.push_back(judged(f));
+  }
+  return out;
+}
+
+}  // namespace
+
+void conditioning(Checks& checks) {
+  for (const Entry& entry : reference::formulations()) {
+    const std::string name = fmt::format("{}/angular/conditioning", entry.name);
+    const auto add = [&](const char* what, std::vector<Finding> (*measure)(const Entry&)) {
+      checks.push_back({name + what, "stability", [&entry, measure] { return measure(entry); }});
+    };
+    add("_phi", over_phi), add("_ratio", over_ratio), add("_singular", at_bad_stiffness);
+    add("_drift", over_drift), add("_distance", over_distance);
+  }
+  checks.push_back({"conditioning/refused", "stability", refusals});
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,191 @@
+#include "verify/studies/limits/random_scene.hpp"
+
+#include "reference/face/instantiations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace halfway::reference {
+namespace {
+
+double power(Generator& random, double low, double high) { return std::pow(10, random.uniform(low, high)); }
+bool chance(Generator& random, double share) { return random.uniform(0, 1) < share; }
+/// Its direction is drawn in here: after a length that is drawn in the call.
+Vec3<double> arrow(Generator& random, double length) { return length * random.direction(); }
+
+Eigen::VectorXd stiffnesses(Generator& random, int n) {
+  const double base = power(random, -3, 1), spread = random.uniform(0, 8);
+  Eigen::VectorXd k(n);
+  for (double& x : k) x = base * power(random, 0, spread);
+  return k;
+}
+
+/// Symmetric positive definite with these eigenvalues and no axis aligned.
+Eigen::MatrixXd full(Generator& random, const Eigen::VectorXd& eigenvalues) {
+  const auto n = eigenvalues.size();
+  Eigen::MatrixXd basis(n, n), K = Eigen::MatrixXd::Zero(n, n);
+  for (double& x : basis.reshaped()) x = random.uniform(-1, 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) basis.col(i) -= basis.col(j).dot(basis.col(i)) * basis.col(j);
+    basis.col(i).normalize();
+    K += eigenvalues[i] * basis.col(i) * basis.col(i).transpose();
+  }
+  return (K + K.transpose()) / 2;
+}
+
+double coefficient(Generator& random, double k) {
+  const double size = power(random, -1, 2);
+  return k * size * random.uniform(-1, 1);
+}
+
+LawSpec law(Generator& random, const Entry& entry, const Eigen::VectorXd& k) {
+  const auto n = k.size();
+  const double which = random.uniform(0, 1);
+  if (which < 0.3) {
+    PolynomialSpec out{k, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+      out.k3[i] = coefficient(random, k[i]);
+      if (chance(random, 0.5)) out.k5[i] = coefficient(random, k[i]);
+    }
+    return out;
+  }
+  LinearSpec out;
+  out.is_compliance = chance(random, 0.3);
+  const Eigen::VectorXd values = out.is_compliance ? Eigen::VectorXd(k.cwiseInverse()) : k;
+  out.matrix = which < 0.6 ? Eigen::MatrixXd(values.asDiagonal()) : full(random, values);
+  if (entry.block_diagonal_law_only && n == 6) {
+    out.matrix.topRightCorner(3, 3).setZero();
+    out.matrix.bottomLeftCorner(3, 3).setZero();
+  }
+  return out;
+}
+
+JointEnd<double> end(Generator& random) {
+  JointEnd<double> out;
+  if (chance(random, 0.3)) return out;
+  out.o = arrow(random, power(random, -6, 3));
+  out.H = random.rotation(0, std::numbers::pi);
+  return out;
+}
+
+SceneLoad load(Generator& random, Kind kind, double stiffness, bool has_force) {
+  const double type = random.uniform(0, 1);
+  const double size = chance(random, 0.05) ? power(random, -150, 150) : power(random, -12, 6);
+  SceneLoad out;
+  out.value = arrow(random, size * stiffness);
+  if (kind == Kind::linear || (type < 0.4 && !has_force)) {
+    out.type = LoadType::fixed_force;
+    if (chance(random, 0.5)) out.point = arrow(random, power(random, -6, 3));
+  } else {
+    out.type = type < 0.7 ? LoadType::fixed_moment : LoadType::follower_moment;
+  }
+  return out;
+}
+
+Setting setting(Generator& random) {
+  Setting out;
+  out.nodes_exchanged = chance(random, 0.5);
+  if (chance(random, 0.5)) return out;
+  out.frame_turn = arrow(random, random.uniform(0, std::numbers::pi));
+  out.frame_shift = arrow(random, power(random, -3, 3));
+  return out;
+}
+
+/// Force and moment of the scene on the node, global axes. @param size  grows by what rounds in the moments
+Eigen::Matrix<double, 6, 1> applied_loads(const RandomScene& random, const Mat3<double>& clamped,
+                                          const Pose<double>& b, double factor, double& size) {
+  Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
+  // A force in line with its arm leaves no moment, but the rounding of the product.
+  const auto add_moment = [&](const Vec3<double>& m, double rounded) {
+    out.tail<3>() += factor * m;
+    size += factor * rounded;
+  };
+  for (const SceneLoad& l : random.scene.loads) {
+    const Vec3<double> fixed = clamped * l.value;
+    const double length = fixed.stableNorm();
+    if (l.type == LoadType::fixed_moment) add_moment(fixed, length);
+    if (l.type == LoadType::follower_moment) add_moment(b.R * l.value, length);
+    if (l.type != LoadType::fixed_force) continue;
+    out.head<3>() += factor * fixed;
+    add_moment((b.R * l.point).cross(fixed), l.point.norm() * length);
+  }
+  return out;
+}
+
+}  // namespace
+
+RandomScene random_scene(Generator& random, const Entry& entry) {
+  RandomScene out;
+  out.scene.name = "random";
+  const double kind = random.uniform(0, 3);
+  JointSpec& joint = out.scene.joint;
+  joint.kind = kind < 1 ? Kind::angular : kind < 2 ? Kind::linear : Kind::linear_angular;
+  const Eigen::VectorXd k = stiffnesses(random, strain_count(joint.kind));
+  joint.law = law(random, entry, k);
+  joint.a = end(random);
+  joint.b = end(random);
+  out.xi = entry.needs_xi ? random.uniform(-0.5, 1.5) : entry.probe_xi;
+  const double largest = k.maxCoeff(), least = k.minCoeff();
+  const double stiffness = least * std::pow(largest / least, random.uniform(0, 1));
+  const int loads = joint.kind == Kind::linear ? 1 : 1 + int(random.uniform(0, 3));
+  bool has_force = false;
+  for (int i = 0; i < loads; ++i) {
+    out.scene.loads.push_back(load(random, joint.kind, stiffness, has_force));
+    has_force |= out.scene.loads.back().type == LoadType::fixed_force;
+  }
+  out.setting = setting(random);
+  return out;
+}
+
+double distance_to_equilibrium(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {
+  const EquilibriumProblem<Real50> problem(random.scene, entry, random.xi, random.setting);
+  const Real50 factor(state.factor), done("1e-30");
+  const Pose<Real50> from = cast<Real50>(state.b);
+  Pose<Real50> b = from;
+  for (int i = 0; i < 12; ++i) {
+    const auto balance = problem.balance(b, factor);
+    const NodeVector<Real50> step = balance.tangent.partialPivLu().solve(balance.imbalance);
+    b = problem.displaced(b, step);
+    if (!(step.norm() > done * (Real50(1) + b.x.norm()))) {
+      const Real50 moved = (b.x - from.x).norm() / (Real50(1) + from.x.norm());
+      const Real50 turned = (b.R - from.R).norm();
+      return std::isfinite(double(step.norm())) ? double(moved + turned) : std::nan("");
+    }
+  }
+  return std::nan("");
+}
+
+Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {
+  const Pose<double>& b = state.b;
+  Soundness out;
+  out.is_finite =
+      b.x.allFinite() && b.R.allFinite() && std::isfinite(state.factor) && std::isfinite(state.residual);
+  if (!out.is_finite) return out;
+  const Pose<double> clamped{random.setting.frame_shift, so3::exp<double>(random.setting.frame_turn)};
+  JointSpec spec = random.scene.joint;
+  spec.xi = random.xi;
+  const double reach = b.x.stableNorm() + clamped.x.stableNorm() + spec.a.o.norm() + spec.b.o.norm();
+  const bool exchanged = random.setting.nodes_exchanged;
+  if (exchanged) std::swap(spec.a, spec.b);
+  const auto loads = exchanged ? node_loads<double>(entry, spec, b, clamped, true)
+                               : node_loads<double>(entry, spec, clamped, b, true);
+  const int node = exchanged ? 0 : 6;
+  double size = 0;
+  const auto applied = applied_loads(random, clamped.R, b, state.factor, size);
+  const Kind kind = spec.kind;
+  for (int i = kind == Kind::angular ? 3 : 0; i < (kind == Kind::linear ? 3 : 6); ++i) {
+    const auto row = loads.tangent.row(node + i).cwiseAbs();
+    const double rounding = (i < 3 ? applied.head<3>().stableNorm() : size) +
+                            row.segment<3>(node).sum() * reach + row.segment<3>(node + 3).sum();
+    const double off = std::abs(loads.q[node + i] - applied[i]);
+    if (off == 0) continue;
+    out.in_rounding = std::max(out.in_rounding, off / rounding / std::numeric_limits<double>::epsilon());
+    if (!std::isfinite(off / rounding)) out.is_finite = false;
+  }
+  return out;
+}
+
+}  // namespace halfway::reference

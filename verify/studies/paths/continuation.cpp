@@ -1,0 +1,139 @@
+// Paths by arc length where they have closed forms: one axis, through the fold and down again.
+#include "reference/solve/paths/branches.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+#include "verify/oracle/worst.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Continuation;
+using reference::ContinuationOptions;
+using reference::EquilibriumPath;
+using reference::PathEnd;
+using reference::Singularity;
+
+/// k = 1 N m/rad about the loaded axis; the others are stiff, so that nothing else buckles first.
+reference::Scene one_axis() {
+  reference::Scene s;
+  s.name = "one_axis";
+  s.joint.law = reference::LinearSpec{Eigen::Vector3d(1, 10, 100).asDiagonal(), false};
+  s.loads = {{reference::LoadType::fixed_moment, {1, 0, 0}}};
+  return s;
+}
+
+constexpr double kFarLoad = 4;  // N m: beyond k pi, the most that any law linear in phi takes below pi
+
+ContinuationOptions far_away() {
+  ContinuationOptions out;
+  out.end_factor = kFarLoad;
+  return out;
+}
+
+/// A law m(phi) with its fold.
+struct OneAxisLaw {
+  const char* formulation;
+  double (*moment)(double phi);
+  double fold;      ///< phi, rad
+  double unloaded;  ///< phi at which the moment is zero again
+  const char* says;
+};
+const OneAxisLaw kLaws[] = {
+    {"jointc", [](double phi) { return std::sin(2 * phi) / 2; }, std::numbers::pi / 4, std::numbers::pi / 2,
+     "strain sin(phi): m = k sin(phi) cos(phi), largest at pi/4, zero again at pi/2"},
+    {"quaternion", [](double phi) { return std::sin(phi); }, std::numbers::pi / 2, std::numbers::pi,
+     "strain 2 sin(phi/2): m = k sin(phi), largest at pi/2, zero again at pi"}};
+
+Finding named(const OneAxisLaw& law, const std::string& what, double value, double limit,
+              const std::string& why) {
+  Finding f;
+  f.name = std::string("continuation/one_axis/") + law.formulation + "/" + what;
+  f.formulation = law.formulation;
+  f.kind = to_string(Kind::angular);
+  f.subject = "continuation";
+  f.value = value;
+  f.high = limit;
+  f.oracle = Oracle::closed_form;
+  f.reason = std::string(law.says) + "; " + why;
+  return judged(f);
+}
+
+std::vector<Finding> closed_form(const OneAxisLaw& law) {
+  const reference::Scene scene = one_axis();
+  const Continuation continuation(scene, *reference::find_formulation(law.formulation), 0.5, far_away());
+  const EquilibriumPath path = continuation.from_rest();
+  double worst = 0, fold = std::nan(""), fold_moment = std::nan("");
+  for (const auto& p : path.points) keep_largest(worst, std::abs(p.state.factor - law.moment(p.phi)));
+  for (const auto& s : path.singular) {
+    if (s.type != Singularity::fold) continue;
+    fold = s.phi;
+    fold_moment = s.state.factor;
+  }
+  const double end = path.points.back().phi;
+  const std::string rounding = "located at 50 digits, handed over in double: 2 eps";
+  return {named(law, "fold_angle", std::abs(fold - law.fold), 5e-16, rounding),
+          named(law, "fold_moment", std::abs(fold_moment - law.moment(law.fold)), 5e-16, rounding),
+          named(law, "moment", worst, 4e-15,
+                "N m, all points before and beyond the fold; a few eps of phi up to pi"),
+          named(law, "unloaded", std::abs(end - law.unloaded), 2e-4,
+                "at pi itself rotation vectors jump, and a path ends within 1e-4 of it")};
+}
+
+/// The largest moment about one axis that each formulation carries below pi.
+Finding capacity(const Entry& entry, Finding f) {
+  const reference::Scene scene = one_axis();
+  const Continuation continuation(scene, entry, entry.probe_xi, far_away());
+  const EquilibriumPath path = continuation.from_rest();
+  f.unit = "N m";
+  f.comparison = Comparison::report;
+  f.oracle = Oracle::none;
+  f.reason = "k = 1 N m/rad; loaded up to 4 N m";
+  f.parameter = path.outcome;
+  for (const auto& p : path.points) keep_largest(f.value, p.state.factor);
+  for (const auto& s : path.singular) {
+    if (s.type != Singularity::fold) continue;
+    keep_largest(f.value, s.state.factor);
+    f.parameter = fmt::format("fold at phi = {:.6g} rad; ", s.phi) + f.parameter;
+  }
+  return judged(f);
+}
+
+/// A joint without stiffness about one axis: no path, and no number that is none.
+std::vector<Finding> singular_start() {
+  reference::Scene scene = one_axis();
+  scene.joint.law = reference::LinearSpec{Eigen::Vector3d(0, 1, 2).asDiagonal(), false};
+  Finding f;
+  f.name = "continuation/singular_start";
+  f.subject = "continuation";
+  f.unit = "formulations";
+  f.oracle = Oracle::closed_form;
+  f.high = 0;
+  f.reason = "no stiffness about the loaded axis: each must end where it starts and say why";
+  for (const Entry& entry : reference::formulations()) {
+    const EquilibriumPath path = Continuation(scene, entry, entry.probe_xi, far_away()).from_rest();
+    f.parameter = path.outcome;
+    f.value += path.end != PathEnd::singular_start || path.points.size() != 1;
+  }
+  return {judged(f)};
+}
+
+}  // namespace
+
+void continuation(Checks& checks) {
+  for (const OneAxisLaw& law : kLaws) {
+    checks.push_back({std::string("continuation/one_axis/") + law.formulation, "stability",
+                      [&law] { return closed_form(law); }});
+  }
+  checks.push_back({"continuation/singular_start", "stability", singular_start});
+  for (const Entry& entry : reference::formulations()) {
+    const Finding f = property_finding(entry, Kind::angular, "one_axis_capacity");
+    checks.push_back({f.name, "stability", [&entry, f] { return std::vector{capacity(entry, f)}; }});
+  }
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,132 @@
+// Branchings of the unskewed buckling case: located on the path, followed both ways.
+#include "reference/solve/buckling.hpp"
+#include "reference/solve/paths/branches.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+#include "verify/oracle/worst.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Branch;
+using reference::Continuation;
+using reference::EquilibriumPath;
+using reference::Real50;
+
+constexpr const char* kScene = "c3_buckling";
+constexpr int kAxis = 0;
+
+/// Residual of a pose at 50 digits over the load, by the joint alone.
+double residual(const Entry& entry, const reference::Scene& s, const reference::PathPoint& p) {
+  reference::JointSpec spec = s.joint;
+  spec.xi = entry.probe_xi;
+  const auto q = reference::node_loads<Real50>(entry, spec, {}, reference::cast<Real50>(p.state.b), false).q;
+  Vec3<Real50> m = q.tail<3>();
+  m[kAxis] -= Real50(s.loads.front().value[kAxis]) * Real50(p.state.factor);
+  return double(sqrt(m.squaredNorm())) / std::abs(p.state.factor);
+}
+
+/// The first singular point against the first zero of the determinant, an independent road.
+Finding first_singular(const Entry& entry, const reference::Scene& s, const EquilibriumPath& primary,
+                       Finding f) {
+  reference::JointSpec spec = s.joint;
+  spec.xi = entry.probe_xi;
+  auto expected = reference::first_buckling(entry, spec, kAxis);
+  if (expected && double(expected->moment) > s.factor_end) expected.reset();
+  f.unit = "relative";
+  f.oracle = Oracle::independent;
+  f.high = 4e-16;
+  f.reason =
+      "first zero of the determinant along the axis, bisected at 50 digits; both handed over in double";
+  f.parameter = primary.outcome;
+  if (!expected || primary.singular.empty()) {
+    f.value = expected || !primary.singular.empty() ? 1 : 0;
+    if (!expected)
+      f.reason = "the determinant has no zero below pi and the whole load: nothing must be found on the path";
+    return judged(f);
+  }
+  const double moment = double(expected->moment);
+  f.value = std::abs(primary.singular.front().state.factor / moment - 1);
+  f.parameter = fmt::format("{} at {:.13g} N m, phi = {:.12g} rad; located to {:.0e}",
+                            to_string(primary.singular.front().type), moment, double(expected->angle),
+                            primary.singular.front().located_to);
+  return judged(f);
+}
+
+Finding location(const EquilibriumPath& primary, Finding f) {
+  f.unit = "relative";
+  f.high = 1e-12;
+  f.reason = "last change of load factor and phi, at 50 digits; the search ends at 1e-24 of the step";
+  for (const auto& s : primary.singular) keep_largest(f.value, s.located_to);
+  return judged(f);
+}
+
+/// Every point of the other path is an equilibrium, off the axis.
+Finding equilibria(const Entry& entry, const reference::Scene& s, const std::vector<Branch>& all, Finding f) {
+  f.unit = "relative to the load";
+  f.oracle = Oracle::fifty_digits;
+  f.high = 3e-14;
+  f.reason =
+      "imbalance at 50 digits of poses in double: eps times the stiffness of 2500 N m/rad over a moment that "
+      "is as small as 20 N m where a path is unloaded again";
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    for (const auto& p : all[i].path.points) {
+      const bool off_axis = so3::log<double>(p.state.b.R).tail<2>().norm() > 1e-3;
+      keep_largest(f.value, off_axis && p.state.factor > 0 ? residual(entry, s, p) : p.state.factor > 0);
+    }
+  }
+  return judged(f);
+}
+
+/// The half-turn about the axis maps the problem onto itself, and one half onto the other.
+Finding mirrored(const std::vector<Branch>& all, Finding f) {
+  f.unit = "rad";
+  f.oracle = Oracle::independent;
+  f.high = 1e-15;
+  f.reason = "law and load are symmetric about the axis, so the halves are images of each other: eps";
+  const Mat3<double> half_turn = Vec3<double>(1, -1, -1).asDiagonal();
+  for (std::size_t i = 1; i < all.size(); i += 2) {
+    const bool both = i + 1 < all.size() && all[i].path.points.size() == all[i + 1].path.points.size();
+    if (!both) return f.value = std::nan(""), judged(f);
+    for (std::size_t k = 0; k < all[i].path.points.size(); ++k) {
+      const Mat3<double> image = half_turn * all[i].path.points[k].state.b.R * half_turn;
+      const Mat3<double> between = image * all[i + 1].path.points[k].state.b.R.transpose();
+      keep_largest(f.value, so3::log<double>(between).norm());
+    }
+  }
+  f.parameter = all[1].path.outcome;
+  return judged(f);
+}
+
+std::vector<Finding> branching(const Entry& entry) {
+  const reference::Scene s = reference::without_skew(scene(kScene), kAxis);
+  reference::ContinuationOptions options;
+  options.end_factor = s.factor_end;
+  const Continuation continuation(s, entry, entry.probe_xi, options);
+  const std::vector<Branch> all = branches(continuation);
+  const EquilibriumPath& primary = all.front().path;
+  const auto finding = [&](const char* what) {
+    return property_finding(entry, Kind::angular, std::string("c3_branching_") + what);
+  };
+  std::vector<Finding> out{first_singular(entry, s, primary, finding("moment"))};
+  if (!primary.singular.empty()) out.push_back(location(primary, finding("location")));
+  if (all.size() < 2) return out;
+  out.push_back(equilibria(entry, s, all, finding("equilibria")));
+  out.push_back(mirrored(all, finding("halves")));
+  return out;
+}
+
+}  // namespace
+
+void continuation_branches(Checks& checks) {
+  for (const Entry& entry : reference::formulations()) {
+    checks.push_back({property_finding(entry, Kind::angular, "c3_branching").name, "stability",
+                      [&entry] { return branching(entry); }});
+  }
+}
+
+}  // namespace halfway::verify

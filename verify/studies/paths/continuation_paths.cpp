@@ -1,0 +1,186 @@
+// The skewed buckling case by arc length: against load stepping, there and back, and in coarse
+// steps; and what load stepping in whole steps makes of it.
+#include "reference/solve/paths/continuation_load_steps.hpp"
+#include "reference/solve/solve.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+#include "verify/oracle/worst.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Continuation;
+using reference::ContinuationOptions;
+using reference::EquilibriumPath;
+
+constexpr const char* kScene = "c3_buckling";
+constexpr const char* kForceScene = "c6_compression_shear";
+constexpr int kLoadSteps = 18;
+constexpr double kSamePath = 1e-12;  // rad
+constexpr double kAtPole = 1e-8;
+constexpr const char* kWhy =
+    "to rounding, amplified beside the branching a thousandfold (1e-12), and beside a pole by the tangent, "
+    "which grows to 5e7 times that at rest before a path ends there (1e-8)";
+
+double limit_of(const EquilibriumPath& path) {
+  return path.end == reference::PathEnd::pole ? kAtPole : kSamePath;
+}
+
+ContinuationOptions whole_load() {
+  ContinuationOptions out;
+  out.end_factor = scene(kScene).factor_end;
+  return out;
+}
+
+Finding finding(const Entry& entry, const char* what, double limit, const char* reason) {
+  Finding f = property_finding(entry, Kind::angular, std::string("c3_") + what);
+  f.unit = "rad";
+  f.oracle = Oracle::independent;
+  f.high = limit;
+  f.reason = reason;
+  return f;
+}
+
+/// Wherever load stepping gets, the path by arc length has been.
+double off_load_steps(const reference::Scene& s, const Entry& entry, const Continuation& continuation,
+                      const EquilibriumPath& path, double& reached) {
+  double worst = 0;
+  reference::Path<double> steps(s, entry, entry.probe_xi);
+  for (int i = 1; i <= s.points; ++i) {
+    const auto& state = steps.advance(s.factor_end * i / s.points);
+    reached = state.factor;
+    if (state.status != Status::converged) break;
+    keep_largest(worst, distance_off_path(continuation, path, {state.b, state.factor}));
+  }
+  return worst;
+}
+
+Finding against_load_steps(const Entry& entry, const Continuation& continuation,
+                           const EquilibriumPath& path) {
+  Finding f = finding(entry, "arc_length", limit_of(path), kWhy);
+  double reached = 0;
+  f.value = off_load_steps(scene(kScene), entry, continuation, path, reached);
+  f.parameter = fmt::format("load steps to {:.6g} N m; by arc length: {}", reached, path.outcome);
+  return judged(f);
+}
+
+/// Six unknowns and a force thirty times that of the scene, so that the joint turns far.
+std::vector<Finding> with_forces(const Entry& entry) {
+  reference::Scene s = scene(kForceScene);
+  s.factor_end *= 30;
+  ContinuationOptions options;
+  options.end_factor = s.factor_end;
+  const Continuation continuation(s, entry, entry.probe_xi, options);
+  const EquilibriumPath path = continuation.from_rest();
+  Finding f = property_finding(entry, s.joint.kind, "c6_arc_length");
+  f.unit = "rad";
+  f.high = 1e-14;
+  f.reason = "both to rounding on a regular path; displacements over the length that makes stiffnesses equal";
+  double reached = 0;
+  f.value = off_load_steps(s, entry, continuation, path, reached);
+  f.parameter = fmt::format("load steps to {:.6g} N; by arc length: {}", reached, path.outcome);
+  return {judged(f)};
+}
+
+Finding there_and_back(const Entry& entry, const Continuation& continuation, const EquilibriumPath& path) {
+  Finding f = finding(entry, "reversal", 1e-13,
+                      "back at the load factor 0 to the pose at rest, which is a regular point: rounding");
+  const auto& last = path.points.back();
+  const EquilibriumPath back = continuation.from(last.state, -last.tangent);
+  f.oracle = Oracle::closed_form;
+  f.value = back.end == reference::PathEnd::unloaded ? back.points.back().phi : std::nan("");
+  f.parameter = fmt::format("from {:.6g} N m, phi = {:.4f} rad", last.state.factor, last.phi);
+  return judged(f);
+}
+
+/// NaN when the rough path ends otherwise than the fine one.
+double off_fine_path(const Continuation& continuation, const EquilibriumPath& fine,
+                     const EquilibriumPath& rough) {
+  constexpr double kSameEnd = 1e-4;  // rad: a path that ends at pi or at a pole does so within this
+  if (rough.end != fine.end || std::abs(rough.points.back().phi - fine.points.back().phi) > kSameEnd)
+    return std::nan("");
+  double worst = 0;
+  for (const auto& p : rough.points) {
+    const double distance = distance_off_path(continuation, fine, p.state);
+    if (distance == distance)
+      keep_largest(worst, distance);  // beyond the other's last point there is nothing
+  }
+  return worst;
+}
+
+/// Steps that may bend and correct as they like: only the signs are left to tell a jump.
+ContinuationOptions by_signs_alone(ContinuationOptions options) {
+  options.largest_angle = 3.2;
+  options.largest_correction = options.largest_contraction = 10;
+  return options;
+}
+
+/// First steps as long as those of load stepping where it jumps: no jump, whatever the first guess.
+Finding coarse(const Entry& entry, const Continuation& continuation, const EquilibriumPath& path,
+               bool all_guards) {
+  Finding f = finding(entry, all_guards ? "coarse_steps" : "coarse_steps_by_signs", limit_of(path), kWhy);
+  for (int steps : {4, 6, 10, 15, 18}) {
+    ContinuationOptions options = whole_load();
+    options.first_step = options.largest_step = path.points.back().arc / steps;
+    if (!all_guards) options = by_signs_alone(options);
+    const EquilibriumPath rough = Continuation(scene(kScene), entry, entry.probe_xi, options).from_rest();
+    keep_largest(f.value, off_fine_path(continuation, path, rough));
+    f.parameter += fmt::format("{} steps asked for, {} taken, {} shortened; ", steps, rough.points.size() - 1,
+                               rough.rejected);
+  }
+  f.parameter += path.outcome;
+  return judged(f);
+}
+
+std::vector<Finding> skewed(const Entry& entry) {
+  const Continuation continuation(scene(kScene), entry, entry.probe_xi, whole_load());
+  const EquilibriumPath path = continuation.from_rest();
+  return {against_load_steps(entry, continuation, path), there_and_back(entry, continuation, path),
+          coarse(entry, continuation, path, true), coarse(entry, continuation, path, false)};
+}
+
+/// Load stepping in 18 steps: which states are not on the path, per formulation and solver.
+std::vector<Finding> eighteen_steps() {
+  std::vector<Finding> out;
+  for (const Entry& entry : reference::formulations()) {
+    const Continuation continuation(scene(kScene), entry, entry.probe_xi, whole_load());
+    const EquilibriumPath path = continuation.from_rest();
+    const auto add = [&](const char* solver, const reference::LoadSteps& steps) {
+      const reference::OffPath off = off_path(continuation, path, steps);
+      Finding f = finding(entry, solver, 0, "states of 18 load steps that lie elsewhere than on the path");
+      f.unit = "states";
+      f.comparison = Comparison::report;
+      f.oracle = Oracle::none;
+      f.value = off.count;
+      f.parameter = fmt::format("{} {:.6g} N m", steps.converged ? "converged to" : "gave up after",
+                                steps.states.back().factor);
+      if (off.count > 0) f.parameter += fmt::format("; the first at {:.6g} N m", off.first_factor);
+      out.push_back(judged(f));
+    };
+    const double end = scene(kScene).factor_end;
+    add("load_steps_newton", newton_load_steps(continuation.problem(), end, kLoadSteps));
+    add("load_steps_gsl", gsl_load_steps(continuation.problem(), end, kLoadSteps));
+  }
+  return out;
+}
+
+}  // namespace
+
+void continuation_paths(Checks& checks) {
+  for (const Entry& entry : reference::formulations()) {
+    checks.push_back({property_finding(entry, Kind::angular, "c3_path").name, "stability",
+                      [&entry] { return skewed(entry); }});
+  }
+  for (const Entry& entry : reference::formulations()) {
+    if (!accepts_law(entry, scene(kForceScene).joint)) continue;
+    checks.push_back({property_finding(entry, scene(kForceScene).joint.kind, "c6_path").name, "stability",
+                      [&entry] { return with_forces(entry); }});
+  }
+  checks.push_back({"continuation/eighteen_steps", "stability", eighteen_steps});
+}
+
+}  // namespace halfway::verify

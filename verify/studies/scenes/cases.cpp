@@ -1,0 +1,131 @@
+// The canonical cases: every reference value of every scene, in double; and at 50 digits with the
+// node order exchanged (C8) and in a turned global frame.
+#include "reference/solve/buckling.hpp"
+#include "reference/solve/path.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace halfway::verify {
+namespace {
+
+using reference::Entry;
+using reference::Path;
+using reference::Real50;
+using reference::Scene;
+using reference::SceneReference;
+using reference::Setting;
+
+/// The formulation, with its xi where it has one.
+std::string path_name(const SceneReference& r) {
+  const bool has_xi = reference::find_formulation(r.formulation)->needs_xi;
+  return has_xi ? fmt::format("{}_xi_{:g}", r.formulation, r.xi) : r.formulation;
+}
+
+/// The expected value and the limit, from the reference's text.
+Finding expectation(const Scene& scene, const SceneReference& r, const std::string& variant) {
+  Finding f;
+  f.name = fmt::format("{}/{}/{}", scene.name, path_name(r), r.output);
+  if (r.factor > 0) f.name += fmt::format("@{:g}", r.factor);
+  f.name += variant;
+  f.formulation = r.formulation;
+  f.subject = scene.name;
+  f.unit = r.output.starts_with("u_") ? "m" : r.output == "critical_moment" ? "N m" : "rad";
+  f.comparison = Comparison::equal;
+  f.oracle = r.oracle;
+  f.reason = r.reason + "; " + r.source;
+  f.expected = r.none ? 0 : double(Real50(r.value.c_str()));
+  f.high = r.absolute ? r.tolerance : r.tolerance * std::abs(f.expected);
+  f.uncertainty = f.high;
+  return f;
+}
+
+/// A whole path serves all references of one formulation: load factors in rising order.
+template <class T>
+std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneReference>& references,
+                                const Entry& entry, const Setting& setting, const std::string& variant) {
+  std::vector<Finding> findings;
+  std::map<double, std::vector<const SceneReference*>> by_factor;
+  for (const SceneReference& r : references) by_factor[r.factor].push_back(&r);
+  Path<T> path(scene, entry, references.front().xi, setting);
+  for (const auto& [factor, wanted] : by_factor) {
+    path.advance(factor);
+    for (const SceneReference* r : wanted) {
+      Finding f = expectation(scene, *r, variant);
+      f.value = path.state().status == Status::converged ? double(path.output(r->output)) : std::nan("");
+      f.parameter = fmt::format("{} Newton iterations", path.state().iterations);
+      findings.push_back(judged(f));
+    }
+  }
+  return findings;
+}
+
+std::vector<Finding> critical(const Scene& scene, const std::vector<SceneReference>& references,
+                              const Entry& entry) {
+  std::vector<Finding> findings;
+  const auto found = reference::first_buckling(entry, scene.joint, scene.critical_axis - 1);
+  for (const SceneReference& r : references) {
+    Finding f = expectation(scene, r, "");
+    f.value = !found ? 0 : double(r.output == "critical_moment" ? found->moment : found->angle);
+    if (r.none) {
+      f.high = 0;
+      f.reason = "0 stands for none below pi; " + r.source;
+    }
+    findings.push_back(judged(f));
+  }
+  return findings;
+}
+
+/// Which formulation the exchanged node order turns this one into; empty where it has no name.
+std::string mirror(const Entry& entry) {
+  if (entry.name == "attached_a") return "attached_b";
+  if (entry.name == "attached_b") return "attached_a";
+  return entry.facts.node_order.linear_angular.holds() ? std::string(entry.name) : "";
+}
+
+void add_scene(Checks& checks, const Scene& scene) {
+  std::map<std::string, std::vector<SceneReference>> paths, criticals;
+  for (const SceneReference& r : scene.references) {
+    (reference::is_critical(r.output) ? criticals : paths)[path_name(r)].push_back(r);
+  }
+  // Named one by one: clang 14 cannot capture structured bindings.
+  for (const auto& item : criticals) {
+    const std::string& key = item.first;
+    const std::vector<SceneReference>& references = item.second;
+    const Entry& entry = *reference::find_formulation(references.front().formulation);
+    checks.push_back({scene.name + "/" + key + "/critical", "cases",
+                      [=, &entry] { return critical(scene, references, entry); }});
+  }
+  for (const auto& item : paths) {
+    const std::string& key = item.first;
+    const std::vector<SceneReference>& references = item.second;
+    const Entry& entry = *reference::find_formulation(references.front().formulation);
+    const std::string name = scene.name + "/" + key;
+    checks.push_back({name + "/double", "cases",
+                      [=, &entry] { return along_path<double>(scene, references, entry, {}, ""); }});
+    Setting turned;
+    turned.frame_turn = {0.7, -1.1, 0.4};
+    turned.frame_shift = {3, -2, 5};
+    checks.push_back({name + "/turned_frame", "cases", [=, &entry] {
+                        return along_path<Real50>(scene, references, entry, turned, "/turned_frame");
+                      }});
+    const Entry* exchanged = reference::find_formulation(mirror(entry));
+    if (exchanged == nullptr) continue;
+    Setting setting;
+    setting.nodes_exchanged = true;
+    checks.push_back({name + "/nodes_exchanged", "cases", [=] {
+                        return along_path<Real50>(scene, references, *exchanged, setting, "/nodes_exchanged");
+                      }});
+  }
+}
+
+}  // namespace
+
+void cases(Checks& checks) {
+  for (const Scene& scene : reference::canonical_scenes()) add_scene(checks, scene);
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,99 @@
+// The solver's loads and unknowns, against equilibria that have closed forms.
+#include "verify/oracle/scene_access.hpp"
+
+#include <cmath>
+
+namespace halfway::verify {
+namespace {
+
+using reference::LoadType;
+using reference::Scene;
+using reference::SceneLoad;
+
+Scene posed(Kind kind, const Eigen::VectorXd& stiffness, const SceneLoad& load) {
+  Scene s;
+  s.name = "posed";
+  s.joint.kind = kind;
+  s.joint.law = reference::LinearSpec{stiffness.asDiagonal(), false};
+  s.loads = {load};
+  return s;
+}
+
+/// Largest difference of one solution and its closed form, relative.
+Finding against(const std::string& name, const Scene& s, const char* formulation, const char* output,
+                double expected, const std::string& reason) {
+  reference::Path<double> path(s, *reference::find_formulation(formulation), 0.5);
+  Finding f;
+  f.name = "equilibria/" + name + "/" + output;
+  f.formulation = formulation;
+  f.subject = "equilibria";
+  f.comparison = Comparison::equal;
+  f.oracle = Oracle::closed_form;
+  f.expected = expected;
+  f.high = 1e-14 * std::max(1.0, std::abs(expected));
+  f.reason = reason + "; tens of eps of the solution";
+  f.value = path.advance(1).status == Status::converged ? path.output(output) : std::nan("");
+  return judged(f);
+}
+
+/// Law and moment both fixed in node b: theta = K^-1 m, at any size.
+std::vector<Finding> follower_moment() {
+  const Scene s =
+      posed(Kind::angular, Eigen::Vector3d(1, 10, 100), {LoadType::follower_moment, {0.5, 4, 60}});
+  const std::string reason = "R_b K theta = R_b m";
+  return {against("follower_moment", s, "attached_b", "theta_x", 0.5, reason),
+          against("follower_moment", s, "attached_b", "theta_y", 0.4, reason),
+          against("follower_moment", s, "attached_b", "theta_z", 0.6, reason)};
+}
+
+/// A force at the end of an arm: k theta = F L cos(theta), here solved by bisection.
+std::vector<Finding> force_on_arm() {
+  constexpr double k = 2, moment = 3;  // F L
+  double low = 0, high = 1.5;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = (low + high) / 2;
+    (k * middle < moment * std::cos(middle) ? low : high) = middle;
+  }
+  const Scene s =
+      posed(Kind::angular, Eigen::Vector3d(k, k, k), {LoadType::fixed_force, {0, 1.5, 0}, {2, 0, 0}});
+  return {against("force_on_arm", s, "invariant", "theta_z", low, "k theta = F L cos(theta)")};
+}
+
+/// A linear joint whose node keeps its orientation: three displacements.
+std::vector<Finding> held_orientation() {
+  const Scene s = posed(Kind::linear, Eigen::Vector3d(2, 4, 8), {LoadType::fixed_force, {1, 1, 1}});
+  return {against("held_orientation", s, "invariant", "u_x", 0.5, "u = K^-1 f"),
+          against("held_orientation", s, "invariant", "u_y", 0.25, "u = K^-1 f"),
+          against("held_orientation", s, "invariant", "u_z", 0.125, "u = K^-1 f")};
+}
+
+/// A path that cannot go on says so: JOINTC cannot carry more than k about one axis [53].
+std::vector<Finding> beyond_the_limit() {
+  const Scene s = posed(Kind::angular, Eigen::Vector3d(1, 1, 1), {LoadType::fixed_moment, {1, 0, 0}});
+  reference::Path<double> path(s, *reference::find_formulation("jointc"), 0.5);
+  const auto& state = path.advance(1);
+  Finding f;
+  f.name = "equilibria/beyond_the_limit/factor";
+  f.formulation = "jointc";
+  f.subject = "equilibria";
+  f.value = state.status == Status::converged ? std::nan("") : state.factor;
+  f.comparison = Comparison::equal;
+  f.oracle = Oracle::closed_form;
+  f.expected = 0.5;
+  f.high = 1e-6;
+  f.reason =
+      "m = k sin(phi) cos(phi) has its largest value k/2 at phi = pi/4; the last load step is 1e-9, "
+      "and near a limit point the reached load falls short of it by the square of the last rotation step";
+  return {judged(f)};
+}
+
+}  // namespace
+
+void equilibria(Checks& checks) {
+  checks.push_back({"equilibria/follower_moment", "cases", follower_moment});
+  checks.push_back({"equilibria/force_on_arm", "cases", force_on_arm});
+  checks.push_back({"equilibria/held_orientation", "cases", held_orientation});
+  checks.push_back({"equilibria/beyond_the_limit", "cases", beyond_the_limit});
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,250 @@
+// Broken scene files: each must be refused, and the message must name file, line and key. One good
+// text is broken in one place at a time; "#!" marks the line that the message must name.
+#include "reference/scene/scene.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace halfway::verify {
+namespace {
+
+constexpr const char* kGood = R"(title = "good"
+outputs = ["theta_x"]
+formulations = ["invariant", "intrinsic"]
+xis = [0.5]
+
+[joint]
+kind = "angular"
+offset_a = [0, 0, 0]
+frame_b = [1, 0, 0, 0]
+[joint.law]
+type = "linear"
+stiffness = [1, 2, 3]
+
+[[load]]
+type = "fixed_moment"
+value = [0, 0, 1]
+
+[path]
+factor_end = 10
+points = 20
+
+[[reference]]
+source = "s"
+oracle = "printed"
+factor = 1
+tolerance = 1e-6
+reason = "r"
+[reference.values]
+invariant = { theta_x = "0.1" }
+)";
+
+struct Broken {
+  const char* what;
+  const char* key;  ///< with which the message must name the place
+  const char* from;
+  const char* to;
+};
+
+constexpr Broken kBroken[] = {
+    {"unknown_key_top", "colour = ", "xis = [0.5]\n", "xis = [0.5]\ncolour = 1 #!\n"},
+    {"unknown_key_joint", "joint.knd = ", "kind = \"angular\"", "kind = \"angular\"\nknd = 1 #!"},
+    {"unknown_key_law", "joint.law.k1 = ", "stiffness = [1, 2, 3]",
+     "stiffness = [1, 2, 3]\nk1 = [1, 2, 3] #!"},
+    {"unknown_key_load", "load[1].factor = ", "value = [0, 0, 1]", "value = [0, 0, 1]\nfactor = 2 #!"},
+    {"unknown_key_path", "path.steps = ", "points = 20", "steps = 20 #!"},
+    {"unknown_key_reference", "reference[1].tol = ", "tolerance = 1e-6", "tol = 1e-6 #!"},
+    {"missing_title", "title = nothing", "title = \"good\"", "#!"},
+    {"missing_kind", "joint.kind = nothing", "[joint]\nkind = \"angular\"", "[joint] #!"},
+    {"missing_stiffness", "joint.law.stiffness = nothing",
+     "[joint.law]\ntype = \"linear\"\nstiffness = [1, 2, 3]", "[joint.law] #!\ntype = \"linear\""},
+    {"missing_factor_end", "path.factor_end = nothing", "[path]\nfactor_end = 10", "[path] #!"},
+    {"missing_value", "load[1].value = nothing", "[[load]]\ntype = \"fixed_moment\"\nvalue = [0, 0, 1]",
+     "[[load]] #!\ntype = \"fixed_moment\""},
+    {"missing_reason", "reference[1].reason = nothing",
+     "[[reference]]\nsource = \"s\"\noracle = \"printed\"\nfactor = 1\ntolerance = 1e-6\nreason = \"r\"",
+     "[[reference]] #!\nsource = \"s\"\noracle = \"printed\"\nfactor = 1\ntolerance = 1e-6"},
+    {"title_is_number", "title = ", "title = \"good\"", "title = 3 #!"},
+    {"joint_is_number", "joint = ",
+     "[joint]\nkind = \"angular\"\noffset_a = [0, 0, 0]\nframe_b = [1, 0, 0, 0]\n"
+     "[joint.law]\ntype = \"linear\"\nstiffness = [1, 2, 3]",
+     "joint = 3 #!"},
+    {"load_is_one_table", "load = ", "[[load]]", "[load] #!"},
+    {"offset_is_text", "joint.offset_a[2] = ", "offset_a = [0, 0, 0]", "offset_a = [0, \"1\", 0] #!"},
+    {"points_is_float", "path.points = ", "points = 20", "points = 20.5 #!"},
+    {"load_too_short", "load[1].value = ", "value = [0, 0, 1]", "value = [0, 1] #!"},
+    {"stiffness_too_long", "joint.law.stiffness = ", "stiffness = [1, 2, 3]",
+     "stiffness = [1, 2, 3, 4, 5, 6] #!"},
+    {"stiffness_ragged", "joint.law.stiffness[2] = ", "stiffness = [1, 2, 3]",
+     "stiffness = [[1, 0, 0],\n[0, 1], #!\n[0, 0, 1]]"},
+    {"stiffness_empty", "joint.law.stiffness = ", "stiffness = [1, 2, 3]", "stiffness = [] #!"},
+    {"stiffness_nan", "joint.law.stiffness[2] = nan", "stiffness = [1, 2, 3]", "stiffness = [1, nan, 3] #!"},
+    {"load_inf", "load[1].value[3] = -inf", "value = [0, 0, 1]", "value = [0, 0, -inf] #!"},
+    {"stiffness_negative", "joint.law.stiffness = ", "stiffness = [1, 2, 3]", "stiffness = [1, -2, 3] #!"},
+    {"compliance_zero", "joint.law.compliance = ", "stiffness = [1, 2, 3]", "compliance = [1, 0, 3] #!"},
+    {"stiffness_and_compliance", "joint.law.compliance = ", "stiffness = [1, 2, 3]",
+     "stiffness = [1, 2, 3]\ncompliance = [1, 1, 1] #!"},
+    {"stiffness_not_symmetric", "joint.law.stiffness = ", "stiffness = [1, 2, 3]",
+     "stiffness = [[2, 0.5, 0], [0.4, 2, 0], [0, 0, 2]] #!"},
+    {"stiffness_indefinite", "joint.law.stiffness = ", "stiffness = [1, 2, 3]",
+     "stiffness = [[1, 2, 0], [2, 1, 0], [0, 0, 1]] #!"},
+    {"stiffness_singular", "joint.law.stiffness = ", "stiffness = [1, 2, 3]",
+     "stiffness = [[1, 1, 0], [1, 1, 0], [0, 0, 1]] #!"},
+    {"polynomial_soft", "joint.law.k1 = ", "type = \"linear\"\nstiffness = [1, 2, 3]",
+     "type = \"polynomial\"\nk1 = [1, 0, 1] #!"},
+    {"law_unknown", "joint.law.type = ", "type = \"linear\"", "type = \"liner\" #!"},
+    {"kind_unknown", "joint.kind = ", "kind = \"angular\"", "kind = \"angle\" #!"},
+    {"quaternion_not_unit", "joint.frame_b = ", "frame_b = [1, 0, 0, 0]", "frame_b = [1, 0.1, 0, 0] #!"},
+    {"quaternion_zero", "joint.frame_b = ", "frame_b = [1, 0, 0, 0]", "frame_b = [0, 0, 0, 0] #!"},
+    {"frame_not_orthogonal", "joint.frame_b = ", "frame_b = [1, 0, 0, 0]",
+     "frame_b = [[1, 0, 0], [0, 1, 0.1], [0, 0, 1]] #!"},
+    {"frame_reflection", "joint.frame_b = ", "frame_b = [1, 0, 0, 0]",
+     "frame_b = [[1, 0, 0], [0, 1, 0], [0, 0, -1]] #!"},
+    {"load_unknown", "load[1].type = ", "type = \"fixed_moment\"", "type = \"moment\" #!"},
+    {"load_zero", "load[1].value = ", "value = [0, 0, 1]", "value = [0, 0, 0] #!"},
+    {"point_of_moment", "load[1].point = ", "value = [0, 0, 1]", "value = [0, 0, 1]\npoint = [1, 0, 0] #!"},
+    {"output_unknown", "outputs[1] = ", "outputs = [\"theta_x\"]", "outputs = [\"theta_1\"] #!"},
+    {"output_of_other_kind", "outputs[1] = ", "outputs = [\"theta_x\"]", "outputs = [\"u_x\"] #!"},
+    {"output_twice", "outputs[2] = ", "outputs = [\"theta_x\"]", "outputs = [\"theta_x\", \"theta_x\"] #!"},
+    {"formulation_unknown", "formulations[1] = ", "[\"invariant\", \"intrinsic\"]", "[\"invariante\"] #!"},
+    {"formulation_without_xi", "formulations = ", "[\"invariant\", \"intrinsic\"]\nxis = [0.5]",
+     "[\"invariant\", \"intrinsic\"] #!"},
+    {"points_zero", "path.points = ", "points = 20", "points = 0 #!"},
+    {"points_too_many", "path.points = ", "points = 20", "points = 100001 #!"},
+    {"factor_end_zero", "path.factor_end = ", "factor_end = 10", "factor_end = 0.0 #!"},
+    {"tolerance_zero", "reference[1].tolerance = ", "tolerance = 1e-6", "tolerance = 0 #!"},
+    {"tolerance_negative", "reference[1].tolerance = ", "tolerance = 1e-6", "tolerance = -1e-6 #!"},
+    {"factor_beyond_path", "reference[1].factor = ", "factor = 1\n", "factor = 11 #!\n"},
+    {"oracle_unknown", "reference[1].oracle = ", "oracle = \"printed\"", "oracle = \"print\" #!"},
+    {"reference_formulation_unknown", "reference[1].values.inviriant = ", "invariant = { theta_x = \"0.1\" }",
+     "inviriant = { theta_x = \"0.1\" } #!"},
+    {"reference_formulation_not_solved", "reference[1].values.attached_a = ",
+     "invariant = { theta_x = \"0.1\" }", "attached_a = { theta_x = \"0.1\" } #!"},
+    {"reference_output_unknown", "reference[1].values.invariant.theta_y = ", "{ theta_x = \"0.1\" }",
+     "{ theta_y = \"0.1\" } #!"},
+    {"reference_critical_not_asked", "reference[1].values.invariant.critical_moment = ",
+     "{ theta_x = \"0.1\" }", "{ critical_moment = \"0.1\" } #!"},
+    {"reference_is_number", "reference[1].values.invariant.theta_x = ", "\"0.1\" }", "0.1 } #!"},
+    {"reference_not_decimal", "reference[1].values.invariant.theta_x = ", "\"0.1\" }", "\"0.1x\" } #!"},
+    {"reference_xi_missing", "reference[1].xi = nothing",
+     "[[reference]]\nsource = \"s\"\noracle = \"printed\"\nfactor = 1\ntolerance = 1e-6\nreason = \"r\"\n"
+     "[reference.values]\ninvariant",
+     "[[reference]] #!\nsource = \"s\"\noracle = \"printed\"\nfactor = 1\ntolerance = 1e-6\nreason = \"r\"\n"
+     "[reference.values]\nintrinsic"},
+    {"reference_xi_not_solved", "reference[1].xi = ", "reason = \"r\"", "reason = \"r\"\nxi = 0.7 #!"},
+    {"syntax", "", "factor_end = 10", "factor_end = = 10 #!"},
+    {"key_twice", "", "points = 20", "points = 20\npoints = 30 #!"},
+};
+
+std::string replaced(const Broken& broken) {
+  std::string text = kGood;
+  const auto at = text.find(broken.from);
+  if (at == std::string::npos) throw std::logic_error(fmt::format("{}: nothing to break", broken.what));
+  return text.replace(at, std::string(broken.from).size(), broken.to);
+}
+
+int line_at(const std::string& text, std::size_t position) {
+  return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
+}
+
+/// A file in a folder of its own for each check and process; gone with it.
+class TemporaryScene {
+ public:
+  TemporaryScene(const std::string& what, const std::string& text)
+      : folder_(std::filesystem::temp_directory_path() / fmt::format("halfway_{}_{}", what, getpid())) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(path(), std::ios::binary) << text;
+  }
+  TemporaryScene(const TemporaryScene&) = delete;
+  ~TemporaryScene() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  std::filesystem::path path() const { return folder_ / "scene.toml"; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The message of the refusal, without the folder; empty when the file is accepted.
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    reference::read_scene(file);
+  } catch (const reference::SceneError& error) {
+    const std::string message = error.what(), folder = file.parent_path().string() + "/";
+    return message.starts_with(folder) ? message.substr(folder.size()) : message;
+  }
+  return "";
+}
+
+Finding refused(const std::string& what, const std::filesystem::path& file, const std::string& place) {
+  const std::string message = refusal(file);
+  Finding f;
+  f.name = "scenes/refuses/" + what;
+  f.subject = "scenes";
+  f.parameter = message.empty() ? "it was accepted" : message;
+  f.value = !message.starts_with(file.filename().string() + ":" + place);
+  f.value += message.find("; allowed: ") == std::string::npos;
+  f.unit = "missing parts";
+  f.oracle = Oracle::closed_form;
+  f.reason =
+      fmt::format("the message must begin with the file's name and \"{}\", and say what is allowed", place);
+  return judged(f);
+}
+
+std::vector<Finding> check_broken(const Broken& broken) {
+  const std::string text = replaced(broken);
+  const TemporaryScene scene(broken.what, text);
+  return {
+      refused(broken.what, scene.path(), fmt::format("{}: {}", line_at(text, text.find("#!")), broken.key))};
+}
+
+/// A file that breaks off in the middle of a value: refused at its last line.
+std::vector<Finding> check_truncated() {
+  const std::string good = kGood, text = good.substr(0, good.find("[0, 0, 1]") + 4);
+  const TemporaryScene scene("truncated", text);
+  return {refused("truncated", scene.path(), fmt::format("{}: ", line_at(text, text.size())))};
+}
+
+std::vector<Finding> check_binary() {
+  const TemporaryScene scene("binary", std::string("title = \"\xff\xfe\"\n", 13));
+  return {refused("binary", scene.path(), "1: ")};
+}
+
+std::vector<Finding> check_unreadable() {
+  const auto missing = std::filesystem::temp_directory_path() / "halfway_no_such_folder" / "scene.toml";
+  const auto folder = std::filesystem::temp_directory_path() / ".";
+  return {refused("unreadable", missing, " cannot be read"), refused("folder", folder, " is a folder")};
+}
+
+/// The good text is accepted: what breaks it is the one change.
+std::vector<Finding> check_good() {
+  const TemporaryScene scene("good", kGood);
+  const std::string message = refusal(scene.path());
+  Finding f;
+  f.name = "scenes/accepts/good";
+  f.parameter = message;
+  f.value = !message.empty();
+  f.subject = "scenes";
+  f.reason = "the text that the other checks break in one place";
+  return {judged(f)};
+}
+
+}  // namespace
+
+void scene_errors(Checks& checks) {
+  checks.push_back({"scenes/accepts/good", "cases", check_good});
+  for (const Broken& broken : kBroken) {
+    checks.push_back(
+        {fmt::format("scenes/refuses/{}", broken.what), "cases", [&broken] { return check_broken(broken); }});
+  }
+  checks.push_back({"scenes/refuses/truncated", "cases", check_truncated});
+  checks.push_back({"scenes/refuses/binary", "cases", check_binary});
+  checks.push_back({"scenes/refuses/unreadable", "cases", check_unreadable});
+}
+
+}  // namespace halfway::verify

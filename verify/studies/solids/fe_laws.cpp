@@ -1,0 +1,129 @@
+// Material laws of the solids against their energies, by dual numbers and a matrix series: a road that
+// shares neither eigenvalues nor divided differences with the laws.
+#include "reference/numbers/dual.hpp"
+#include "reference/numbers/precision.hpp"
+#include "reference/numbers/random.hpp"
+#include "verify/oracle/fe_access.hpp"
+
+namespace halfway::verify {
+namespace {
+
+namespace fe = reference::fe;
+using reference::Real50;
+using D = reference::Dual<Real50>;  // 50 digits: what is measured is the rounding of the law alone
+using Mat3D = Mat3<D>;
+
+const fe::Material kMaterial{1, 0.3};
+
+/// ln(I + X) by its Taylor series; with |X| <= 0.3 the 80th term is below 1e-43.
+Mat3D series_log(const Mat3D& X) {
+  Mat3D power = X, sum = X;
+  for (int k = 2; k <= 80; ++k) {
+    power = -(power * X).eval();
+    sum += power / D(k);
+  }
+  return sum;
+}
+
+/// W per unit volume, J/m^3; cauchy_log has none.
+D energy(fe::Law law, const Mat3D& E) {
+  const D lambda(Real50(kMaterial.lambda())), mu(Real50(kMaterial.mu()));
+  if (law == fe::Law::st_venant) return lambda * E.trace() * E.trace() / D(2) + mu * (E * E).trace();
+  const Mat3D ln_C = series_log(D(2) * E);
+  const D ln_J = ln_C.trace() / D(2);
+  const D volumetric = lambda * ln_J * ln_J / D(2);
+  if (law == fe::Law::neo_hooke) return volumetric + mu * (E.trace() - ln_J);
+  return volumetric + mu * (ln_C * ln_C).trace() / D(4);
+}
+
+/// The stress itself for a direction of E in the dual part: its dual part is the tangent's column.
+Mat3D stress(fe::Law law, const Mat3D& E) {
+  const D lambda(Real50(kMaterial.lambda())), mu(Real50(kMaterial.mu()));
+  const Mat3D I = Mat3D::Identity();
+  if (law == fe::Law::st_venant) return lambda * E.trace() * I + D(2) * mu * E;
+  const Mat3D ln_C = series_log(D(2) * E), C = I + D(2) * E;
+  const Mat3D C_inverse = C.inverse();
+  const D ln_J = ln_C.trace() / D(2);
+  if (law == fe::Law::neo_hooke) return mu * (I - C_inverse) + lambda * ln_J * C_inverse;
+  const Mat3D hencky = C_inverse * (lambda * ln_J * I + mu * ln_C);
+  return law == fe::Law::hencky ? hencky : Mat3D(sqrt(C.determinant()) * hencky);
+}
+
+constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+
+/// E with the unit engineering strain k as its dual part.
+Mat3D along(const Mat3<double>& E, int k) {
+  Mat3D out = E.cast<Real50>().cast<D>();
+  out(kRow[k], kColumn[k]).d += Real50(0.5);
+  out(kColumn[k], kRow[k]).d += Real50(0.5);
+  return out;
+}
+
+/// Strains of 1e-6 to 0.1, one of them with two equal principal values, one zero.
+std::vector<Mat3<double>> strains() {
+  reference::Generator g(33);
+  std::vector<Mat3<double>> out = {Mat3<double>::Zero(), Vec3<double>(0.02, 0.02, -0.03).asDiagonal()};
+  for (double size : {1e-6, 1e-3, 0.1}) {
+    Mat3<double> m;
+    for (double& x : m.reshaped()) x = g.uniform(-size, size);
+    out.push_back((m + m.transpose()) / 2);
+  }
+  return out;
+}
+
+std::vector<Finding> law_findings(fe::Law law) {
+  const std::string name = std::string("laws/") + to_string(law);
+  double worst_stress = 0, worst_tangent = 0, worst_second = 0;
+  for (const Mat3<double>& E : strains()) {
+    const fe::LawResponse6 r = respond(law, kMaterial, E);
+    const double size = std::max(E.norm(), 1e-300);
+    for (int k = 0; k < 6; ++k) {
+      const Mat3D dual = stress(law, along(E, k));
+      if (law != fe::Law::cauchy_log)
+        worst_stress =
+            std::max(worst_stress, std::abs(double(energy(law, along(E, k)).d - Real50(r.S[k]))) / size);
+      for (int i = 0; i < 6; ++i)
+        worst_tangent =
+            std::max(worst_tangent, std::abs(double(dual(kRow[i], kColumn[i]).d - Real50(r.D(i, k)))));
+    }
+    // The quadratic part from the tangent at small strains: S_2(E, E) = d/de D(e E) E / 2.
+    if (E.norm() < 0.05) continue;
+    constexpr double e = 1e-5;
+    fe::Vec6 engineering;
+    for (int i = 0; i < 6; ++i) engineering[i] = (i < 3 ? 1 : 2) * E(kRow[i], kColumn[i]);
+    const fe::Vec6 found =
+        (respond(law, kMaterial, e * E).D - respond(law, kMaterial, -e * E).D) * engineering / (4 * e);
+    const fe::Quadratic p = quadratic(law, kMaterial);
+    const Mat3<double> I = Mat3<double>::Identity(), EE = E * E;
+    const Mat3<double> second =
+        (p[0] * E.trace() * E.trace() + p[1] * EE.trace()) * I + p[2] * E.trace() * E + p[3] * EE;
+    for (int i = 0; i < 6; ++i)
+      worst_second = std::max(worst_second, std::abs(second(kRow[i], kColumn[i]) - found[i]) / EE.norm());
+  }
+  std::vector<Finding> out;
+  if (law != fe::Law::cauchy_log) {
+    out.push_back(
+        below(solid_finding(name + "/energy_gradient", "relative",
+                            "E = 1: rounding of a few operations on numbers near 1, relative to the strain; "
+                            "the energy's own derivative cancels nothing"),
+              worst_stress, 1e-13, Oracle::independent));
+  }
+  out.push_back(below(
+      solid_finding(name + "/tangent", "relative", "E = 1: rounding of a few operations on numbers near 1"),
+      worst_tangent, 2e-14, Oracle::independent));
+  out.push_back(
+      below(solid_finding(
+                name + "/quadratic_part", "relative",
+                "central difference with steps of 1e-6 in strain: rounding 1e-16 / 1e-6, truncation 1e-12"),
+            worst_second, 1e-9, Oracle::independent));
+  return out;
+}
+
+}  // namespace
+
+void fe_laws(Checks& checks) {
+  for (fe::Law law : fe::kLaws)
+    checks.push_back({std::string("fe/laws/") + to_string(law), "fe", [law] { return law_findings(law); }});
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,133 @@
+// Up to which load each formulation stays within 1 % and 5 % of the 3D body: theta_2, the coupling that the
+// joint exists for, along the paper's load paths prolonged.
+#include "reference/solve/solve.hpp"
+#include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace halfway::verify {
+namespace {
+
+namespace fe = reference::fe;
+
+struct Range {
+  const char* study;
+  const char* scene;
+  const char* body;
+  Kind kind;
+  double reach;  ///< load at the curve's end over the scene's
+  const char* unit;
+};
+
+const Range kRanges[] = {
+    {"range_block_moment", "c2_parallelepiped_small", "block", Kind::angular, 300, "N m"},
+    {"range_frustum_moment", "c4_frustum", "frustum_top", Kind::angular, 10, "N m"},
+    {"range_block_force", "c6_compression_shear", "block", Kind::linear_angular, 6, "N in each direction"}};
+
+constexpr fe::Law kLaw = fe::Law::cauchy_log;
+
+const fe::SolidCurve& truth(const Range& range) {
+  static std::map<std::string, fe::SolidCurve> curves;
+  const auto found = curves.find(range.study);
+  if (found != curves.end()) return found->second;
+  for (const auto& curve : solid_curves(range.study)) {
+    if (curve.law == kLaw) return curves.emplace(range.study, curve).first->second;
+  }
+  throw std::runtime_error(std::string("no 3D curve of ") + range.study);
+}
+
+/// Compliance and couplings of the very mesh of the curve, so that its discretisation error is in neither
+/// side.
+const fe::SecondOrder& mesh(const Range& range) {
+  static std::map<std::string, fe::SecondOrder> all;
+  const auto found = all.find(range.study);
+  if (found != all.end()) return found->second;
+  const fe::Body& body = fe::body_named(range.body);
+  const fe::SolidCurve& curve = truth(range);
+  return all.emplace(range.study, characterise(body, joint_point(body), curve.element, curve.level).result)
+      .first->second;
+}
+
+/// A free xi is taken from the body itself: the second-order coupling that theta_2 begins with.
+double xi_for(const Entry& entry, const Range& range) {
+  if (!entry.needs_xi) return entry.probe_xi;
+  return range.kind == Kind::angular ? xi_of_moments(mesh(range), kLaw, 0, 2)
+                                     : xi_of_forces(mesh(range), kLaw, 0, 2);
+}
+
+/// The scene with the body's own compliance, up to the 3D curve's last point.
+reference::Scene prolonged(const Range& range) {
+  reference::Scene s = scene(range.scene);
+  const fe::Mat6& C = mesh(range).compliance;
+  if (range.kind == Kind::angular)
+    s.joint.law = reference::LinearSpec{Eigen::MatrixXd(C.bottomRightCorner<3, 3>()), true};
+  else
+    s.joint.law = reference::LinearSpec{Eigen::MatrixXd(without_rounding(C)), true};
+  s.outputs = {"theta_x", "theta_y", "theta_z"};
+  s.points = int(truth(range).points.size());
+  s.factor_end = range.reach * truth(range).points.back().factor;
+  return s;
+}
+
+/// The load at which the relative error of theta_2 first exceeds `limit`, by linear interpolation between the
+/// points; the last load where it never does; 0 where it does from the start.
+double reached(const reference::Curve& lumped, const Range& range, double limit) {
+  double last_load = 0, last_error = 0;
+  const auto& points = truth(range).points;
+  std::size_t i = 0;
+  for (const auto& row : lumped.rows) {
+    if (row[0] <= 0) continue;
+    if (i == points.size()) break;
+    const double error = std::abs(row[2] / points[i].theta[1] - 1);
+    if (error > limit)
+      return i == 0 ? 0 : last_load + (row[0] - last_load) * (limit - last_error) / (error - last_error);
+    last_load = row[0];
+    last_error = error;
+    ++i;
+  }
+  return last_load;
+}
+
+Finding of_formulation(const Entry& entry, Finding f, const Range& range) {
+  const reference::Scene s = prolonged(range);
+  f.unit = range.unit;
+  f.comparison = Comparison::report;
+  f.oracle = Oracle::independent;
+  if (!reference::accepts_law(entry, s.joint)) {
+    f.verdict = Verdict::left_out;
+    f.reason = "refuses a law that couples translation and rotation";
+    return f;
+  }
+  const reference::Curve lumped = solve_scene(s, {&entry, xi_for(entry, range)});
+  const double end = s.factor_end;
+  f.value = reached(lumped, range, 0.01);
+  const double five = reached(lumped, range, 0.05);
+  const auto text = [&](double load) {
+    return load >= end * (1 - 1e-12) ? fmt::format("{:g}, the end of the 3D curve", load)
+                                     : fmt::format("{:.3g}", load);
+  };
+  f.parameter = fmt::format("theta_2 within 1 % up to {}, within 5 % up to {}; phi = {:.2f} rad at {:g}",
+                            text(f.value), text(five), truth(range).points.back().theta.norm(), end);
+  if (entry.needs_xi) f.parameter += fmt::format("; xi = {:.4f}, the body's", xi_for(entry, range));
+  f.reason = lumped.converged
+                 ? "load up to which the coupling theta_2 is within 1 % of the 3D body (cauchy_log): reported"
+                 : "the lumped path itself ends early: " + lumped.outcome;
+  return judged(f);
+}
+
+}  // namespace
+
+void fe_ranges(Checks& checks) {
+  for (const Range& range : kRanges) {
+    add_property(
+        checks, std::string("fe_") + range.study, {range.kind},
+        [&range](const Entry& entry, Kind, Finding f) { return of_formulation(entry, std::move(f), range); });
+  }
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,164 @@
+// Critical moments of the block of C3 about each axis: divergence and flutter, against the references of the
+// scene, the zeros of the determinant, and the eigenvalues of another library.
+#include "reference/solve/buckling.hpp"
+#include "reference/solve/stability/critical.hpp"
+#include "reference/solve/stability/critical_zeros.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace halfway::verify {
+namespace {
+
+using namespace reference;
+
+const BodyInertia kRound{}, kLong{"1:2:2.5", {1, 2, 2.5}, 1};
+constexpr MomentSetting kFixed{MomentType::fixed, false};
+
+JointSpec block(const Entry& entry) {
+  JointSpec spec = scene("c3_buckling").joint;
+  spec.xi = entry.probe_xi;
+  return spec;
+}
+
+double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
+
+/// 0 where both are missing, NaN where one is, else the relative difference of the loads.
+double difference(const std::optional<Critical>& a, const std::optional<Critical>& b) {
+  if (!a && !b) return 0;
+  if (!a || !b) return std::nan("");
+  return relative(a->load, b->load);
+}
+
+Finding zero(const std::string& what, const std::optional<Real50>& found, const Real50& expected) {
+  Finding f;
+  f.name = "stability_kind/zeros/" + what;
+  f.subject = "stability_kind";
+  f.value = found ? double(abs(*found - expected)) : std::nan("");
+  f.unit = "rad";
+  f.high = 1e-41;
+  f.oracle = Oracle::closed_form;
+  f.reason = "the search ends at steps of 1e-42 rad";
+  return judged(f);
+}
+
+/// What the search for critical loads must tell apart: a zero, a pole, and a zero that is only touched.
+std::vector<Finding> zeros() {
+  const Real50 one(1), meeting(0.75), pass(0.5);
+  const auto parabola = [&](const Real50& x) { return Signed<Real50>{Real50(2) - x * x, one}; };
+  const auto pole = [&](const Real50& x) { return Signed<Real50>{one / (sqrt(Real50(2)) - x), one}; };
+  const auto touching = [&](const Real50& x) {
+    return Signed<Real50>{(x - pass) * (x - pass) * (meeting - x), one};
+  };
+  const auto at_once = [&](const Real50& x) { return Signed<Real50>{-x * x, one}; };
+  Finding none;
+  none.name = "stability_kind/zeros/pole";
+  none.subject = "stability_kind";
+  none.value = sign_change(pole, 1.25, 1.5) || first_negative(pole, 0.25, 1.5) ? 1 : 0;
+  none.unit = "zeros found";
+  none.oracle = Oracle::closed_form;
+  none.reason = "1/(sqrt 2 - x) changes its sign and has no zero";
+  return {zero("simple", sign_change(parabola, 1.25, 1.5), sqrt(Real50(2))), judged(none),
+          zero("touched", first_negative(touching, 0.5625, 0.8125), meeting),
+          zero("at_once", first_negative(at_once, 0.125, 0.125), Real50(0))};
+}
+
+/// The seven values of C3, as the scene has them.
+std::vector<Finding> c3_values() {
+  std::vector<Finding> out;
+  const Scene& s = scene("c3_buckling");
+  for (const SceneReference& r : s.references) {
+    if (r.output != "critical_moment") continue;
+    const Entry& entry = *find_formulation(r.formulation);
+    const auto found = PrimaryPath(entry, block(entry), s.critical_axis - 1).critical(kFixed, kRound);
+    Finding f;
+    f.name = "stability_kind/c3/" + r.formulation;
+    f.formulation = r.formulation;
+    f.subject = "stability_kind";
+    f.unit = "N m";
+    f.oracle = r.oracle;
+    f.comparison = Comparison::equal;
+    f.expected = r.none ? 0 : double(Real50(r.value.c_str()));
+    f.value = found.divergence ? double(found.divergence->load) : 0;
+    f.high = r.tolerance * std::abs(f.expected);
+    f.reason = r.none ? "none, shown as 0" : r.reason;
+    if (r.none) f.parameter = std::string("searched up to ") + to_string(found.end);
+    out.push_back(judged(f));
+  }
+  return out;
+}
+
+/// The determinant's zeros by bisection of the fixed-moment tangent alone.
+Finding second_road(const Entry& entry, Kind, Finding f) {
+  Measurement worst;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto ours = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    std::optional<Critical> theirs;
+    if (const auto found = first_buckling(entry, block(entry), axis)) {
+      if (double(found->angle) < ours.end_angle) theirs = Critical{found->moment, found->angle};
+    }
+    worst.include(difference(ours.divergence, theirs), "axis " + std::to_string(axis + 1));
+  }
+  return held(f, worst, 1e-40, "both locate to 42 digits or more", "relative");
+}
+
+/// First instability by GSL's eigenvalues in double, sampled and bisected.
+struct FirstInstability {
+  StabilityKind kind = StabilityKind::stable;
+  double angle = 0;
+};
+FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSetting& setting,
+                                const BodyInertia& body, double end) {
+  const JointSpec spec = block(entry);
+  const auto kind_at = [&](double angle) {
+    const auto p = loaded_state<double>(entry, spec, axis, setting, angle);
+    return stability_kind(modes(p.J, mass_matrix(body, p.R, 3)));
+  };
+  constexpr double kStep = 5e-3;
+  for (double angle = kStep; angle < end; angle += kStep) {
+    const StabilityKind kind = kind_at(angle);
+    if (kind == StabilityKind::stable) continue;
+    double low = angle - kStep, high = angle;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (low + high) / 2;
+      (kind_at(middle) == StabilityKind::stable ? low : high) = middle;
+    }
+    return {kind_at(high), high};
+  }
+  return {};
+}
+
+Finding eigenvalue_road(const Entry& entry, Kind, Finding f) {
+  Measurement worst;
+  for (int axis = 0; axis < 3; ++axis) {
+    const PrimaryPath path(entry, block(entry), axis);
+    for (const MomentSetting& setting : kMomentSettings) {
+      const auto c = path.critical(setting, kLong);
+      const auto found = by_eigenvalues(entry, axis, setting, kLong, c.end_angle);
+      const auto& first = c.first() == StabilityKind::flutter ? c.flutter : c.divergence;
+      const double expected = first ? double(first->angle) : 0;
+      worst.include(found.kind == c.first() ? std::abs(found.angle - expected) : std::nan(""),
+                    std::string(to_string(setting)) + " moment about " + std::to_string(axis + 1));
+    }
+  }
+  return held(
+      f, worst, 1e-9,
+      "an imaginary part counts from 1e-6 of the largest eigenvalue, which is its square beyond the meeting",
+      "rad");
+}
+
+}  // namespace
+
+void stability_kind_critical(Checks& checks) {
+  const std::size_t before = checks.size();
+  checks.push_back({"stability_kind/zeros", "stability", zeros});
+  checks.push_back({"stability_kind/c3", "stability", c3_values});
+  add_property(checks, "critical_second_road", {Kind::angular}, second_road);
+  add_property(checks, "critical_by_eigenvalues", {Kind::angular}, eigenvalue_road);
+  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
+}
+
+}  // namespace halfway::verify

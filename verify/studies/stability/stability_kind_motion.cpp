@@ -1,0 +1,91 @@
+// Flutter seen: the full nonlinear motion grows above the critical moment at the rate of the eigenvalue, and
+// stays where it is below.
+#include "reference/solve/stability/kind_motion.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfway::verify {
+namespace {
+
+using namespace reference;
+
+constexpr int kAxis = 2;  // the stiffest of the block: most formulations flutter about it
+constexpr int kPoints = 400, kLast = 100;
+
+MotionRequest request_of(const Entry& entry) {
+  JointSpec spec = scene("c3_buckling").joint;
+  spec.xi = entry.probe_xi;
+  return {&entry, spec, kAxis, {MomentType::fixed, false}, {"1:2:2.5", {1, 2, 2.5}, 1}, 0};
+}
+
+double growth_rate(const MotionRequest& r) {
+  const auto p = loaded_state<double>(*r.entry, r.spec, r.axis, r.setting, r.angle);
+  double largest = 0;
+  for (const auto& mu : modes(p.J, mass_matrix(r.body, p.R, 3)))
+    largest = std::max(largest, std::abs(std::sqrt(-mu).real()));
+  return largest;
+}
+
+/// Where flutter begins, if it is the first instability: beyond a divergence motions leave in another way.
+std::optional<double> flutter_angle(const MotionRequest& r) {
+  const auto c = PrimaryPath(*r.entry, r.spec, r.axis).critical(r.setting, r.body);
+  if (c.first() != StabilityKind::flutter) return std::nullopt;
+  return double(c.flutter->angle);
+}
+
+Finding none(Finding f) {
+  f.verdict = Verdict::left_out;
+  f.reason = "no flutter under a fixed moment about axis 3 of the block of C3";
+  return f;
+}
+
+Finding growth_above(const Entry& entry, Kind, Finding f) {
+  MotionRequest r = request_of(entry);
+  const auto critical = flutter_angle(r);
+  if (!critical) return none(f);
+  r.angle = 1.01 * *critical;
+  f.expected = growth_rate(r);
+  const double until = std::log(1e3) / f.expected;  // from 1e-6 to 1e-3 rad, where it is linear to 1e-3
+  const auto mode = dominating_mode(disturbed_motion(r, until, kPoints), kLast);
+  f.value = mode ? mode->real() : std::nan("");
+  f.unit = "1/s";
+  f.comparison = Comparison::equal;
+  f.high = 0.01 * f.expected;
+  f.oracle = Oracle::independent;
+  f.parameter = "1 % above the critical angle";
+  f.reason = "modes that do not grow are 1e-2 of the growing one by then, and are fitted with it";
+  return judged(f);
+}
+
+Finding rest_below(const Entry& entry, Kind, Finding f) {
+  MotionRequest r = request_of(entry);
+  const auto critical = flutter_angle(r);
+  if (!critical) return none(f);
+  r.angle = 0.99 * *critical;
+  const auto history = disturbed_motion(r, 20, kPoints);
+  Measurement worst;
+  for (const auto& theta : history.theta) worst.include(theta.norm(), "1 % below the critical angle, 20 s");
+  f.value = history.finished ? worst.value : std::nan("");
+  f.parameter = worst.where;
+  f.unit = "rad";
+  f.high = 2e-5;
+  f.oracle = Oracle::independent;
+  f.reason =
+      "nearly parallel modes raise 1e-6 rad by 1/sqrt(distance from the meeting), about 10; the growth "
+      "rate of 1 % above would raise it by 1e10";
+  return judged(f);
+}
+
+}  // namespace
+
+void stability_kind_motion(Checks& checks) {
+  const std::size_t before = checks.size();
+  add_property(checks, "flutter_growth", {Kind::angular}, growth_above);
+  add_property(checks, "rest_below_flutter", {Kind::angular}, rest_below);
+  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
+}
+
+}  // namespace halfway::verify

@@ -1,0 +1,151 @@
+// Divergence and flutter against closed forms and theorems.
+#include "reference/solve/stability/critical.hpp"
+#include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
+
+#include <cmath>
+
+namespace halfway::verify {
+namespace {
+
+using namespace reference;
+
+const BodyInertia kRound{}, kLong{"1:2:2.5", {1, 2, 2.5}, 1};
+constexpr MomentSetting kFixed{MomentType::fixed, false}, kFollower{MomentType::follower, false};
+
+JointSpec block(const Entry& entry) {
+  JointSpec spec = scene("c3_buckling").joint;
+  spec.xi = entry.probe_xi;
+  return spec;
+}
+
+double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
+
+/// Loads with a potential under a fixed and under a follower moment have transposed tangents, S -+ [m]/2:
+/// the same critical loads, for every body.
+Finding fixed_is_follower(const Entry& entry, Kind kind, Finding f) {
+  const auto same = [](const std::optional<Critical>& a, const std::optional<Critical>& b) {
+    return a && b ? relative(a->load, b->load) <= 1e-38 : !a && !b;  // both located to 40 digits
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const PrimaryPath path(entry, block(entry), axis);
+    for (const BodyInertia* body : {&kRound, &kLong}) {
+      const auto fixed = path.critical(kFixed, *body), follower = path.critical(kFollower, *body);
+      if (same(fixed.divergence, follower.divergence) && same(fixed.flutter, follower.flutter)) continue;
+      f.value += 1;
+      f.parameter +=
+          (f.parameter.empty() ? "axis " : ", axis ") + std::to_string(axis + 1) + " (" + body->name + ")";
+    }
+  }
+  f.unit = "of 6 paths differ";
+  f.oracle = Oracle::closed_form;
+  f.reason = "transposed matrices have the same eigenvalues; loads are compared to 38 of 40 digits";
+  if (!entry.has_potential(kind)) {
+    f.comparison = Comparison::report;
+    f.reason = "no potential: the two need not agree";
+  }
+  return judged(f);
+}
+
+/// Loads with a potential under a fixed moment, body of three equal inertias: the lateral tangent is S -
+/// [m]/2, which has complex eigenvalues where |m| exceeds the difference of those of S. Held at the flutter
+/// found.
+Finding flutter_condition(const Entry& entry, Kind kind, Finding f) {
+  if (!entry.has_potential(kind)) {
+    f.verdict = Verdict::left_out;
+    f.reason = "the condition holds for loads that have a potential";
+    return f;
+  }
+  Measurement worst{0, "no axis has flutter"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto c = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    if (!c.flutter) continue;
+    const auto p = loaded_state<Real50>(entry, block(entry), axis, kFixed, c.flutter->angle);
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const Real50 half = (p.J(i, j) + p.J(j, i)) / Real50(2), gap = p.J(i, i) - p.J(j, j);
+    const Real50 gap2 = gap * gap + Real50(4) * half * half;
+    worst.include(relative(gap2, p.load * p.load), "axis " + std::to_string(axis + 1));
+  }
+  f.value = worst.value;
+  f.parameter = worst.where;
+  f.unit = "relative";
+  f.high = 1e-38;
+  f.oracle = Oracle::closed_form;
+  f.reason = "located to 40 digits";
+  return judged(f);
+}
+
+/// Flutter needs a tangent that is not symmetric: none under dead forces for loads with a potential.
+Finding flutter_under_couples(const Entry& entry, Kind kind, Finding f) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const PrimaryPath path(entry, block(entry), axis);
+    for (const MomentSetting& setting : kMomentSettings) {
+      if (!moment_potential<double>({setting.type, axis, 0}, 1, Mat3<double>::Identity())) continue;
+      for (const BodyInertia* body : {&kRound, &kLong}) {
+        if (!path.critical(setting, *body).flutter) continue;
+        f.value += 1;
+        f.parameter += std::string(f.parameter.empty() ? "" : ", ") + to_string(setting) + " about " +
+                       std::to_string(axis + 1) + " (" + body->name + ")";
+      }
+    }
+  }
+  f.unit = "of 18 paths";
+  f.oracle = Oracle::closed_form;
+  f.reason = "a symmetric tangent has real eigenvalues";
+  if (!entry.has_potential(kind)) {
+    f.comparison = Comparison::report;
+    f.reason = "no potential: the joint itself can feed the motion";
+  }
+  return judged(f);
+}
+
+Finding flutter_angle(const std::string& formulation, const MomentSetting& setting, int axis,
+                      const Vec3<double>& stiffness, const std::string& name) {
+  const Entry& entry = *find_formulation(formulation);
+  JointSpec spec;
+  spec.law = LinearSpec{stiffness.asDiagonal(), false};
+  const auto found = PrimaryPath(entry, spec, axis).critical(setting, kRound).flutter;
+  const double p = stiffness[(axis + 1) % 3], q = stiffness[(axis + 2) % 3];
+  Finding f;
+  f.name = "stability_kind/closed_form/" + formulation + "/" + name;
+  f.formulation = formulation;
+  f.subject = "stability_kind";
+  f.comparison = Comparison::equal;
+  f.oracle = Oracle::closed_form;
+  f.unit = "rad";
+  f.expected = 2 * std::atan(std::abs(p - q) / (2 * std::sqrt(p * q)));
+  f.value = found ? double(found->angle) : std::nan("");
+  f.high = 1e-15;
+  f.reason = "tan(phi/2) = |p - q| / (2 sqrt(p q)) with the lateral stiffnesses p, q; a few eps of the angle";
+  return judged(f);
+}
+
+/// The stress that is constant in a node's axes, m = K theta: the lateral tangent is
+/// ((p g, p phi/2), (-q phi/2, q g)), g = phi/2 cot(phi/2). By exchanging the nodes: a moment that follows b.
+std::vector<Finding> closed_forms() {
+  std::vector<Finding> out;
+  const Vec3<double> block_like(627.6, 69.52, 2496), round(5, 3, 3), nearly(5, 3, 3.03);
+  const std::pair<std::string, MomentSetting> cases[] = {{"attached_a", kFixed}, {"attached_b", kFollower}};
+  for (const auto& [formulation, setting] : cases) {
+    for (int axis = 0; axis < 3; ++axis)
+      out.push_back(
+          flutter_angle(formulation, setting, axis, block_like, "axis_" + std::to_string(axis + 1)));
+    // A round shaft flutters under any moment, a nearly round one (1 %) at 10 mrad.
+    out.push_back(flutter_angle(formulation, setting, 0, round, "round"));
+    out.push_back(flutter_angle(formulation, setting, 0, nearly, "nearly_round"));
+  }
+  return out;
+}
+
+}  // namespace
+
+void stability_kind_theorems(Checks& checks) {
+  const std::size_t before = checks.size();
+  checks.push_back({"stability_kind/closed_form", "stability", closed_forms});
+  add_property(checks, "fixed_is_follower", {Kind::angular}, fixed_is_follower);
+  add_property(checks, "flutter_condition", {Kind::angular}, flutter_condition);
+  add_property(checks, "flutter_under_couples", {Kind::angular}, flutter_under_couples);
+  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
+}
+
+}  // namespace halfway::verify
