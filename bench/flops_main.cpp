@@ -1,5 +1,6 @@
-// halfway_flops: counts the flops of every joint and keeps them.
-//   halfway_flops record FILE   to FILE, which is bench/flops.json
+// halfway_flops: counts the flops of every joint.
+//   halfway_flops record FILE   keeps them in FILE
+//   halfway_flops check         compares them with those kept in bench/flops.json
 #include "bench/questions/count_flops.hpp"
 #include "halfway/systems/intrinsic.hpp"
 
@@ -33,15 +34,33 @@ Flops with_variants(Flops flops) {
   return flops;
 }
 
+/// Counts are whole numbers, of transcriptions means of 32: none may differ.
+int check(const Flops& counted) {
+  int different = 0;
+  for (const auto& [name, flops] : counted) {
+    if (kept_flops(name) == flops) continue;
+    ++different;
+    std::printf("FAIL %s: %.17g flops, kept %.17g\n", name.c_str(), flops, kept_flops(name));
+  }
+  for (const auto& [name, flops] : kept_flops()) {
+    if (counted.contains(name)) continue;
+    ++different;
+    std::printf("FAIL %s: kept, and no longer counted\n", name.c_str());
+  }
+  std::printf("%zu counts, %d differ%s\n", counted.size(), different,
+              different > 0 ? "; meant so: halfway_flops record bench/flops.json" : "");
+  return counted.empty() || different > 0 ? 1 : 0;
+}
+
 }  // namespace
 }  // namespace halfway::bench
 
 int main(int argc, char** argv) try {
   using namespace halfway::bench;
-  if (argc != 3 || std::string(argv[1]) != "record")
-    return std::fputs("usage: halfway_flops record FILE\n", stderr), 1;
-  write_flops(argv[2], with_variants(count_all()));
-  return 0;
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "record" && argc == 3) return write_flops(argv[2], with_variants(count_all())), 0;
+  if (command == "check" && argc == 2) return check(with_variants(count_all()));
+  return std::fputs("usage: halfway_flops record FILE | check\n", stderr), 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "halfway_flops: %s\n", error.what());
   return 1;

@@ -17,7 +17,7 @@ using reference::Verdict;
 
 struct Check {
   std::string name;   ///< formulation/kind/property, identities/..., or scene/formulation
-  std::string label;  ///< ctest label: identities, properties, cases, peers, mutants
+  std::string label;  ///< ctest label: the room of its file below studies/, set from checks.def
   std::function<std::vector<Finding>()> run;
 };
 
