@@ -1,7 +1,7 @@
 // halfway_instructions: counts instructions per evaluation, and compares them with kept numbers.
 //   halfway_instructions count NAME...           prints them
 //   halfway_instructions record FILE [NAME...]   keeps them in FILE; without names, of the cases in FILE
-//   halfway_instructions check FILE              compares; exit code 77 where no comparison is possible
+//   halfway_instructions check [FILE]            compares, with bench/instructions.json by default; exit code 77 where no comparison is possible
 //   halfway_instructions evaluate NAME...        what valgrind runs
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ constexpr int kLeftOut = 77;
 constexpr double kTolerance = 0.02;
 
 const char* const kUsage =
-    "usage: halfway_instructions count NAME... | record FILE [NAME...] | check FILE | evaluate NAME...\n";
+    "usage: halfway_instructions count NAME... | record FILE [NAME...] | check [FILE] | evaluate NAME...\n";
 
 std::vector<std::string> names_of(const InstructionCounts& counts) {
   std::vector<std::string> names;
@@ -83,11 +83,11 @@ int main(int argc, char** argv) try {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const std::string command = words.empty() ? "" : words[0];
   const std::vector<std::string> rest(words.begin() + !words.empty(), words.end());
+  if (command == "check" && rest.size() <= 1) return check(rest.empty() ? HALFWAY_INSTRUCTIONS_FILE : rest[0]);
   if (rest.empty()) return std::fputs(kUsage, stderr), 1;
   if (command == "evaluate") return run_cases(rest), 0;
   if (command == "count") return print(count(rest)), 0;
   if (command == "record") return record(rest[0], {rest.begin() + 1, rest.end()}), 0;
-  if (command == "check" && rest.size() == 1) return check(rest[0]);
   return std::fputs(kUsage, stderr), 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "halfway_instructions: %s\n", error.what());

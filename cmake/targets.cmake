@@ -23,13 +23,6 @@ function(compiled_together target)
 endfunction()
 
 option(HALFWAY_WERROR "Treat warnings as errors" OFF)
-option(HALFWAY_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
-if(HALFWAY_SANITIZE)
-  target_compile_options(halfway_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                         -fno-omit-frame-pointer)
-  target_link_options(halfway_flags INTERFACE -fsanitize=address,undefined)
-endif()
-
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 file(WRITE "${PROJECT_BINARY_DIR}/generated/headers.cpp" "")

@@ -3,6 +3,7 @@
 #include "bench/questions/methods/skipped.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/eval/suggest.hpp"
 #include "reports/views/paper.hpp"
 #include "reports/views/solids.hpp"
 #include "reports/views/speed.hpp"
@@ -23,7 +24,13 @@ namespace {
 struct ReportOptions {
   std::string folder = "out/report";
   bool quick = false;
+  std::string only;  ///< one formulation; empty: all
 };
+
+/// Findings, checks and benchmarks of one formulation start with its name.
+bool wanted(const ReportOptions& options, const std::string& name) {
+  return options.only.empty() || name.starts_with(options.only + "/");
+}
 
 /// Wall time of a stage, s.
 template <class Work>
@@ -47,8 +54,9 @@ std::vector<reference::Finding> findings_of(const verify::Check& check) {
   }
 }
 
-void verify_all(Results& results) {
-  const verify::Checks checks = verify::all_checks();
+void verify_all(const ReportOptions& options, Results& results) {
+  verify::Checks checks = verify::all_checks();
+  std::erase_if(checks, [&](const verify::Check& check) { return !wanted(options, check.name); });
   Progress progress("verifying");
   int done = 0;
   for (const verify::Check& check : checks) {
@@ -60,13 +68,14 @@ void verify_all(Results& results) {
   }
 }
 
-void solve_all(Results& results) {
+void solve_all(const ReportOptions& options, Results& results) {
   const auto scenes = reference::canonical_scenes();
   results.scenes = scene_infos(scenes);
   Progress progress("solving");
   int done = 0;
   for (const auto& scene : scenes) {
     for (const auto& choice : reference::choices(scene)) {
+      if (!options.only.empty() && (choice.entry == nullptr || choice.entry->name != options.only)) continue;
       const auto curve = reference::solve_scene(scene, choice);
       if (!curve.converged) {
         results.left_out.push_back(
@@ -85,6 +94,7 @@ void time_all(const ReportOptions& options, Results& results) {
     bench_options.repetitions = 2;
     bench_options.min_time = 0.001;
   }
+  if (!options.only.empty()) bench_options.filter = "^" + options.only + "/";
   std::filesystem::create_directories(options.folder);
   bench::Run run = bench::run(bench_options, Progress("timing"));
   results.context = run.context;
@@ -102,7 +112,10 @@ int count(const Results& results, reference::Verdict verdict) {
 
 void report(const ReportOptions& options) {
   Results results;
-  results.command = options.quick ? "./halfway report --quick" : "./halfway report";
+  if (!options.only.empty() && reference::find_formulation(options.only) == nullptr)
+    throw BadInput(unknown_name("formulation", options.only, formulation_names()));
+  results.command = std::string("./halfway report") + (options.quick ? " --quick" : "") +
+                    (options.only.empty() ? "" : " --formulation " + options.only);
   results.formulations = formulation_infos();
   results.paper = paper_record();
   results.solids = solids_record();
@@ -111,10 +124,14 @@ void report(const ReportOptions& options) {
     results.left_out.push_back(
         {missing.at("what"), "its kept data is missing or stale: run ./halfway reference"});
   }
-  results.durations["verify"] = timed([&] { verify_all(results); });
-  results.durations["solve"] = timed([&] { solve_all(results); });
-  results.durations["stability"] =
-      timed([&] { results.stability = stability_record(Progress("where methods fail")); });
+  results.durations["verify"] = timed([&] { verify_all(options, results); });
+  results.durations["solve"] = timed([&] { solve_all(options, results); });
+  if (options.only.empty() && !options.quick) {
+    results.durations["stability"] =
+        timed([&] { results.stability = stability_record(Progress("where methods fail")); });
+  } else {
+    results.left_out.push_back({"where methods fail", "a report of everything has it: ./halfway report"});
+  }
   results.durations["time"] = timed([&] { time_all(options, results); });
   write_report(results, options.folder);
 
@@ -138,6 +155,7 @@ void add_report(CLI::App& app) {
   CLI::App* command = app.add_subcommand("report", "Verify, solve, time, and write out/report/index.html");
   command->add_option("--out", options->folder, "Folder of the report")->capture_default_str();
   command->add_flag("--quick", options->quick, "Short timings: a smoke run, whose times mean little");
+  command->add_option("--formulation", options->only, "A report of this formulation alone");
   command->callback([options] { report(*options); });
 }
 
