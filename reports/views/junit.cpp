@@ -47,7 +47,7 @@ std::string test_case(const Finding& finding) {
   const std::string why = escaped(explain(finding));
   switch (finding.verdict) {
     case Verdict::fail:
-      return open + fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", why);
+      return open + fmt::format(">\n      <failure type=\"finding\">{}</failure>\n    </testcase>\n", why);
     case Verdict::left_out:
       return open + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", why);
     case Verdict::known_failure:
@@ -72,12 +72,14 @@ std::string benchmark_suite(const std::vector<bench::Timing>& timings) {
   for (const bench::Timing& timing : timings) {
     const std::string open =
         fmt::format("    <testcase classname=\"benchmark\" name=\"{}\"", escaped(timing.name));
-    cases += timing.wrong ? fmt::format("{}>\n      <failure message=\"{}\"/>\n    </testcase>\n", open,
-                                        escaped(timing.message))
-                          : open + "/>\n";
+    cases += timing.wrong
+                 ? fmt::format("{}>\n      <failure type=\"benchmark\">{}</failure>\n    </testcase>\n", open,
+                               escaped(timing.message))
+                 : open + "/>\n";
   }
   return fmt::format(
-      "  <testsuite name=\"benchmark\" tests=\"{}\" failures=\"{}\" skipped=\"0\">\n{}  </testsuite>\n",
+      "  <testsuite name=\"benchmark\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n{}  "
+      "</testsuite>\n",
       timings.size(), wrong_timings(timings), cases);
 }
 
@@ -95,15 +97,14 @@ std::string junit_xml(const Results& results) {
   const Tally all = tally(results.findings);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"halfway\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
-      all.total() + static_cast<int>(results.timings.size()), all.fail + wrong_timings(results.timings),
-      all.left_out);
+      "<testsuites name=\"halfway\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
+      all.total() + static_cast<int>(results.timings.size()), all.fail + wrong_timings(results.timings));
   for (const std::string& subject : subjects(results.findings)) {
     std::vector<Finding> group;
     std::copy_if(results.findings.begin(), results.findings.end(), std::back_inserter(group),
                  [&](const Finding& finding) { return finding.subject == subject; });
     const Tally count = tally(group);
-    xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
+    xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                        escaped(subject), count.total(), count.fail, count.left_out);
     for (const Finding& finding : group) xml += test_case(finding);
     xml += "  </testsuite>\n";
