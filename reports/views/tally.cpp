@@ -39,12 +39,16 @@ const Finding* find_finding(const Results& results, const std::string& name) {
 
 const bench::Timing* find_timing(const Results& results, const std::string& formulation,
                                  const std::string& kind, const std::string& what) {
-  const auto found =
-      std::find_if(results.timings.begin(), results.timings.end(), [&](const bench::Timing& timing) {
-        return timing.implementation == "reference" && timing.formulation == formulation &&
-               timing.kind == kind && timing.what == what;
-      });
-  return found == results.timings.end() ? nullptr : &*found;
+  for (const char* implementation : {"kernel", "reference"}) {
+    const auto found =
+        std::find_if(results.timings.begin(), results.timings.end(), [&](const bench::Timing& timing) {
+          return timing.implementation == implementation && timing.formulation == formulation &&
+                 timing.kind == kind && timing.what == what && timing.precision == "double" &&
+                 timing.variant.empty() && timing.method.empty();
+        });
+    if (found != results.timings.end()) return &*found;
+  }
+  return nullptr;
 }
 
 std::string explain(const Finding& f) {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace halfway::verify {
 namespace {
@@ -93,6 +94,36 @@ double reached(const reference::Curve& lumped, const Range& range, double limit)
   return last_load;
 }
 
+/// Rotation of the body (degrees) up to which the whole rotation vector is within `limit` of the body's, as
+/// the chord between the two over the body's, by linear interpolation between the points of the curve.
+double degrees_within(const reference::Curve& lumped, const Range& range, double limit) {
+  double last_phi = 0, last_error = 0;
+  const auto& points = truth(range).points;
+  for (std::size_t i = 0; i < points.size() && i + 1 < lumped.rows.size(); ++i) {
+    const auto& row = lumped.rows[i + 1];  // the first is the unloaded joint's
+    const double phi = points[i].theta.norm();
+    const double error = (Vec3<double>(row[1], row[2], row[3]) - points[i].theta).norm() / phi;
+    if (!(error <= limit)) {
+      const double share = i == 0 ? 0 : (limit - last_error) / (error - last_error);
+      return (last_phi + share * (phi - last_phi)) * 180 / std::numbers::pi;
+    }
+    last_phi = phi, last_error = error;
+  }
+  return last_phi * 180 / std::numbers::pi;
+}
+
+Finding degrees_of(const Entry& entry, Finding f, const Range& range, double limit) {
+  const reference::Curve lumped = solve_scene(prolonged(range), {&entry, xi_for(entry, range)});
+  f.value = degrees_within(lumped, range, limit);
+  f.unit = "deg";
+  f.comparison = Comparison::report;
+  f.oracle = Oracle::independent;
+  f.parameter = fmt::format("whole rotation vector; the curve ends at {:.1f} deg",
+                            truth(range).points.back().theta.norm() * 180 / std::numbers::pi);
+  f.reason = "rotation up to which the joint follows the 3D body (cauchy_log): reported";
+  return judged(f);
+}
+
 Finding of_formulation(const Entry& entry, Finding f, const Range& range) {
   const reference::Scene s = prolonged(range);
   f.unit = range.unit;
@@ -127,6 +158,13 @@ void fe_ranges(Checks& checks) {
     add_property(
         checks, std::string("fe_") + range.study, {range.kind},
         [&range](const Entry& entry, Kind, Finding f) { return of_formulation(entry, std::move(f), range); });
+  }
+  const Range& block = kRanges[0];
+  for (const auto& [name, limit] :
+       {std::pair{"fe_degrees_1_percent", 0.01}, {"fe_degrees_5_percent", 0.05}}) {
+    add_property(checks, name, {block.kind}, [&block, limit = limit](const Entry& entry, Kind, Finding f) {
+      return degrees_of(entry, std::move(f), block, limit);
+    });
   }
 }
 
