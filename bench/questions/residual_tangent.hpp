@@ -7,6 +7,7 @@
 #include "bench/harness/check.hpp"
 #include "bench/harness/flops.hpp"
 #include "bench/questions/static_joint.hpp"
+#include "halfway/kernels/kernel.hpp"
 
 #include <memory>
 
