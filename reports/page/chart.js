@@ -15,9 +15,19 @@ const config = {
   background: 'transparent',
   font: FONT,
   view: {stroke: null},
-  axis: {domainColor: 'var(--rule)', tickColor: 'var(--rule)', gridColor: 'var(--grid)', labelColor: 'var(--muted)',
-         titleColor: 'var(--ink)', titleFontWeight: 'normal', labelFontSize: 12, titleFontSize: 13, titlePadding: 8,
-         labelOverlap: 'greedy', labelFlush: false},
+  axis: {
+    domainColor: 'var(--rule)',
+    tickColor: 'var(--rule)',
+    gridColor: 'var(--grid)',
+    labelColor: 'var(--muted)',
+    titleColor: 'var(--ink)',
+    titleFontWeight: 'normal',
+    labelFontSize: 12,
+    titleFontSize: 13,
+    titlePadding: 8,
+    labelOverlap: 'greedy',
+    labelFlush: false
+  },
   text: {color: 'var(--ink)', fontSize: 12}
 };
 
@@ -45,7 +55,8 @@ function publish() {
   root.dataset.errors = errors.join(' | ');
   root.dataset.height = String(Math.ceil(root.scrollHeight));
   if (errors.length) root.dataset.state = 'error';
-  else if (sealed && of('waiting').length === 0) root.dataset.state = of('empty').length ? 'incomplete' : 'ready';
+  else if (sealed && of('waiting').length === 0)
+    root.dataset.state = of('empty').length ? 'incomplete' : 'ready';
 }
 
 /** For what is drawn without Vega: 'drawn' or 'empty'. */
@@ -85,10 +96,23 @@ export class Chart {
   }
 
   async embed(spec, patch) {
-    const full = {width: 'container', autosize: {type: 'fit', contains: 'padding'}, ...spec, description: this.label, config};
-    this.view?.finalize();  // before its place is cleared: a window resized meanwhile would find it without width
-    const result = await vegaEmbed(this.box, full, {mode: 'vega-lite', renderer: 'svg', actions: false, ast: false, patch,
-                                                     tooltip: {theme: 'custom', disableDefaultStyle: true}, logLevel: 1});
+    const full = {
+      width: 'container',
+      autosize: {type: 'fit', contains: 'padding'},
+      ...spec,
+      description: this.label,
+      config
+    };
+    this.view?.finalize(); // before its place is cleared: a window resized meanwhile would find it without width
+    const result = await vegaEmbed(this.box, full, {
+      mode: 'vega-lite',
+      renderer: 'svg',
+      actions: false,
+      ast: false,
+      patch,
+      tooltip: {theme: 'custom', disableDefaultStyle: true},
+      logLevel: 1
+    });
     this.view = result.view;
     charts.set(this.id, this.box.querySelector('svg') ? 'drawn' : 'waiting');
     publish();
@@ -97,7 +121,14 @@ export class Chart {
 
 /** A figure: heading, controls, chart, caption. */
 export function figure(title, controls, charts_, caption) {
-  return h('figure', {}, h('h3', {}, title), controls, charts_, caption ? h('figcaption', {}, caption) : null);
+  return h(
+    'figure',
+    {},
+    h('h3', {}, title),
+    controls,
+    charts_,
+    caption ? h('figcaption', {}, caption) : null
+  );
 }
 
 /** Lines of a logarithmic axis at its decades only. */

@@ -28,39 +28,59 @@ export const ORACLES = {
 export class Results {
   constructor(json) {
     if (json.schema !== 'halfway-results' || json.version !== 1) {
-      throw new Error(`results.json: schema ${json.schema} version ${json.version}; this page reads halfway-results version 1`);
+      throw new Error(
+        `results.json: schema ${json.schema} version ${json.version}; this page reads halfway-results version 1`
+      );
     }
     Object.assign(this, json);
     this.byName = new Map(this.findings.map((f) => [f.name, f]));
     this.timings = this.timings.map(withDefaults);
-    const timed = (implementation, method) => new Map(this.timings.filter((t) => t.implementation === implementation && isPlain(t) && method(t))
-      .map((t) => [`${t.formulation}/${t.kind}/${t.what}`, t]));
+    const timed = (implementation, method) =>
+      new Map(
+        this.timings
+          .filter((t) => t.implementation === implementation && isPlain(t) && method(t))
+          .map((t) => [`${t.formulation}/${t.kind}/${t.what}`, t])
+      );
     this.timed = timed('reference', (t) => t.method === '');
     this.kernels = timed('kernel', isAnalytic);
     this.infos = new Map(this.formulations.map((f) => [f.name, f]));
   }
 
-  finding(...parts) { return this.byName.get(parts.join('/')); }
+  finding(...parts) {
+    return this.byName.get(parts.join('/'));
+  }
 
   /** The readable transcription's time. */
-  timing(formulation, kind, what) { return this.timed.get(`${formulation}/${kind}/${what}`); }
+  timing(formulation, kind, what) {
+    return this.timed.get(`${formulation}/${kind}/${what}`);
+  }
 
   /** The time of what a user would plug in: the kernel, or the reference where there is no kernel. */
-  preferred(formulation, kind, what) { return this.kernels.get(`${formulation}/${kind}/${what}`) ?? this.timing(formulation, kind, what); }
+  preferred(formulation, kind, what) {
+    return this.kernels.get(`${formulation}/${kind}/${what}`) ?? this.timing(formulation, kind, what);
+  }
 
-  count(verdict) { return this.findings.filter((f) => f.verdict === verdict).length; }
+  count(verdict) {
+    return this.findings.filter((f) => f.verdict === verdict).length;
+  }
 
   /** The name of a curve's series: free-xi formulations carry their xi. */
   series(curve) {
-    return this.infos.get(curve.formulation)?.needs_xi ? `${curve.formulation} ξ = ${curve.xi}` : curve.formulation;
+    return this.infos.get(curve.formulation)?.needs_xi
+      ? `${curve.formulation} ξ = ${curve.xi}`
+      : curve.formulation;
   }
 
   /** Curves of the scene whose name begins with `prefix`. */
-  curvesOf(prefix) { return this.curves.filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`)); }
+  curvesOf(prefix) {
+    return this.curves.filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`));
+  }
 
   /** Other programs' and printed curves of the same scene. */
   referencesOf(prefix) {
-    return (this.paper?.reference_curves ?? []).filter((c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`));
+    return (this.paper?.reference_curves ?? []).filter(
+      (c) => c.scene === prefix || c.scene.startsWith(`${prefix}_`)
+    );
   }
 
   /** Bodies and groups of couplings for which formulations were held against the 3D truth. */
@@ -75,20 +95,48 @@ export class Results {
     const missing = [];
     for (const {name, stands_for, needs_xi, probe_xi} of this.formulations) {
       for (const {key: kind} of KINDS) {
-        const timing = implementation === 'kernel' ? this.preferred(name, kind, what) : this.timing(name, kind, what);
-        const measured = error === 'numerical' ? this.numerical(timing) : error === 'solids' ? this.solidError(name, kind, solid) : this.modelling(name, kind);
-        const reason = timing?.wrong ? `benchmark refused it: ${timing.message}` : !(timing?.ns > 0) ? 'not timed' : measured.reason;
-        if (reason) { missing.push({name, kind, reason}); continue; }
+        const timing =
+          implementation === 'kernel' ? this.preferred(name, kind, what) : this.timing(name, kind, what);
+        const measured =
+          error === 'numerical'
+            ? this.numerical(timing)
+            : error === 'solids'
+              ? this.solidError(name, kind, solid)
+              : this.modelling(name, kind);
+        const reason = timing?.wrong
+          ? `benchmark refused it: ${timing.message}`
+          : !(timing?.ns > 0)
+            ? 'not timed'
+            : measured.reason;
+        if (reason) {
+          missing.push({name, kind, reason});
+          continue;
+        }
         const floored = !(measured.value > measured.floor);
-        points.push({formulation: name, label: needs_xi && error !== 'solids' ? `${name} ξ = ${probe_xi}` : name, stands_for, kind, kind_label: kindLabel(kind), implementation: timing.implementation, ns: timing.ns, spread: timing.spread,
-                     error: Math.max(measured.value, measured.floor), value: measured.value, floor: measured.floor, floored,
-                     note: measured.note, truth: measured.truth});
+        points.push({
+          formulation: name,
+          label: needs_xi && error !== 'solids' ? `${name} ξ = ${probe_xi}` : name,
+          stands_for,
+          kind,
+          kind_label: kindLabel(kind),
+          implementation: timing.implementation,
+          ns: timing.ns,
+          spread: timing.spread,
+          error: Math.max(measured.value, measured.floor),
+          value: measured.value,
+          floor: measured.floor,
+          floored,
+          note: measured.note,
+          truth: measured.truth
+        });
       }
     }
     return {points, missing};
   }
 
-  modelling(name, kind) { return this.errorOf(this.finding(name, kind, 'modelling_error'), kind); }
+  modelling(name, kind) {
+    return this.errorOf(this.finding(name, kind, 'modelling_error'), kind);
+  }
 
   /** Error of the second-order couplings against the 3D body's. */
   solidError(name, kind, {body, group}) {
@@ -101,14 +149,25 @@ export class Results {
     if (f.verdict === 'left_out') return {reason: f.reason};
     if (!isNumber(f.value)) return {reason: 'its modelling error is not a number'};
     const floor = isNumber(f.uncertainty) ? f.uncertainty : 0;
-    if (!(Math.max(f.value, floor) > 0)) return {reason: 'its error and the uncertainty of the truth are both 0: no place on a log axis'};
+    if (!(Math.max(f.value, floor) > 0))
+      return {reason: 'its error and the uncertainty of the truth are both 0: no place on a log axis'};
     const where = [f.parameter, f.reason].filter(Boolean).join('; ');
-    return {value: f.value, floor, note: where, truth: `${kindLabel(kind)}: ${where}${floor > 0 ? `, known to ${short(floor)}` : ''}`};
+    return {
+      value: f.value,
+      floor,
+      note: where,
+      truth: `${kindLabel(kind)}: ${where}${floor > 0 ? `, known to ${short(floor)}` : ''}`
+    };
   }
 
   numerical(timing) {
     if (!isNumber(timing?.error)) return {reason: 'no numerical error measured'};
-    return {value: timing.error, floor: 2 ** -54, note: 'against 50 digits of the same formula', truth: 'the same formula at 50 digits'};
+    return {
+      value: timing.error,
+      floor: 2 ** -54,
+      note: 'against 50 digits of the same formula',
+      truth: 'the same formula at 50 digits'
+    };
   }
 }
 
@@ -116,7 +175,7 @@ export class Results {
 export function front(points) {
   const byTime = [...points].sort((a, b) => a.ns - b.ns || a.error - b.error);
   let best = Infinity;
-  return byTime.filter((p) => p.error < best && (best = p.error, true));
+  return byTime.filter((p) => p.error < best && ((best = p.error), true));
 }
 
 /** Does a property hold for a formulation and kind? 'yes', 'no', or undefined when it was not measured. */

@@ -1,5 +1,17 @@
 // Numbers for people.
-const SUPERSCRIPTS = {'-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹'};
+const SUPERSCRIPTS = {
+  '-': '⁻',
+  0: '⁰',
+  1: '¹',
+  2: '²',
+  3: '³',
+  4: '⁴',
+  5: '⁵',
+  6: '⁶',
+  7: '⁷',
+  8: '⁸',
+  9: '⁹'
+};
 
 export const superscript = (n) => String(n).replace(/./g, (c) => SUPERSCRIPTS[c] ?? c);
 export const isNumber = (x) => typeof x === 'number' && Number.isFinite(x);
@@ -9,7 +21,8 @@ export function short(x, digits = 2) {
   if (!isNumber(x)) return '–';
   if (x === 0) return '0';
   const size = Math.abs(x);
-  if (size >= 0.01 && size < 1e4) return String(Number(x.toPrecision(Math.max(digits, size >= 100 ? 3 : digits)))).replace('-', '−');
+  if (size >= 0.01 && size < 1e4)
+    return String(Number(x.toPrecision(Math.max(digits, size >= 100 ? 3 : digits)))).replace('-', '−');
   const [mantissa, exponent] = x.toExponential(digits - 1).split('e');
   return `${mantissa.replace('-', '−')}·10${superscript(Number(exponent))}`;
 }

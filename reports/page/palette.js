@@ -18,7 +18,9 @@ const GAPS = {jointc: [3, 4], linearized: [2, 6], field_a: [9, 3, 2, 3], field_b
 
 const looks = new Map();
 for (const [family, names] of Object.entries(FAMILIES)) {
-  names.forEach((name, i) => looks.set(name, {color: `var(--f-${family}-${i + 1})`, dash: GAPS[name] ?? DASHES[i], shape: SHAPES[i]}));
+  names.forEach((name, i) =>
+    looks.set(name, {color: `var(--f-${family}-${i + 1})`, dash: GAPS[name] ?? DASHES[i], shape: SHAPES[i]})
+  );
 }
 
 /** A formulation that is not listed above still gets a stable look. */
@@ -31,6 +33,7 @@ export function look(name) {
 }
 
 /** The n-th series of one formulation (several xi): same colour, another dash. */
-export const seriesLook = (name, n) => (n === 0 ? look(name) : {...look(name), dash: DASHES[(n + 1) % DASHES.length]});
+export const seriesLook = (name, n) =>
+  n === 0 ? look(name) : {...look(name), dash: DASHES[(n + 1) % DASHES.length]};
 
 export const KIND_SHAPES = {angular: 'circle', linear: 'square', linear_angular: 'triangle-up'};

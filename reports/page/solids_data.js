@@ -2,7 +2,13 @@
 import {isNumber, short, superscript} from './format.js';
 
 // Okabe-Ito hues by CSS variable; dash and shape tell them apart without colour.
-const HUES = {blue: 'var(--f-halfway-1)', orange: 'var(--f-attached-2)', green: 'var(--f-jointc-1)', purple: 'var(--f-potential-1)', grey: 'var(--ink)'};
+const HUES = {
+  blue: 'var(--f-halfway-1)',
+  orange: 'var(--f-attached-2)',
+  green: 'var(--f-jointc-1)',
+  purple: 'var(--f-potential-1)',
+  grey: 'var(--ink)'
+};
 
 export const LAWS = {
   st_venant: {label: 'St. Venant–Kirchhoff', color: HUES.grey, dash: [2, 3], shape: 'square'},
@@ -25,23 +31,36 @@ export const elementLook = (key) => ELEMENTS[key] ?? {label: key, ...OTHER};
 /** What a study's name says: "frustum_top" -> "frustum, top clamped". */
 export const bodyLabel = (name) => name.replace(/_(top|base)$/, ', $1 clamped').replaceAll('_', ' ');
 
-export const GROUPS = [{key: 'moments', label: 'two moments'}, {key: 'forces', label: 'two forces'}, {key: 'all', label: 'all loads'}];
+export const GROUPS = [
+  {key: 'moments', label: 'two moments'},
+  {key: 'forces', label: 'two forces'},
+  {key: 'all', label: 'all loads'}
+];
 
 /** Every list is there, possibly empty. */
 export function solidsOf(results) {
   const s = results.solids ?? {};
-  return {given: Boolean(results.solids), bodies: s.bodies ?? [], bearing: s.bearing ?? null, calculix: s.calculix ?? [],
-          newton: s.newton ?? [], shapes: s.shapes ?? [], missing: s.missing ?? []};
+  return {
+    given: Boolean(results.solids),
+    bodies: s.bodies ?? [],
+    bearing: s.bearing ?? null,
+    calculix: s.calculix ?? [],
+    newton: s.newton ?? [],
+    shapes: s.shapes ?? [],
+    missing: s.missing ?? []
+  };
 }
 
 const HOLES = {none: 'no hole', cone: 'conical hole', cylinder: 'cylindrical hole'};
 const CUTS = {plane: 'plane cut', cone: 'conical cut'};
 /** What a family of bearings is, by its record. */
-export const familyLabel = (family) => (family ? `${CUTS[family.cut] ?? family.cut}, ${HOLES[family.hole] ?? family.hole}` : 'unnamed family');
+export const familyLabel = (family) =>
+  family ? `${CUTS[family.cut] ?? family.cut}, ${HOLES[family.hole] ?? family.hole}` : 'unnamed family';
 export const familyNamed = (bearing, name) => bearing.families.find((f) => f.name === name);
 
 /** xi under the paper's pair of moments, 1 and 3: {value, uncertainty}. */
-export const paperXi = (body, law) => body.xis?.find((x) => x.law === law)?.moments?.find((m) => m.name === '13');
+export const paperXi = (body, law) =>
+  body.xis?.find((x) => x.law === law)?.moments?.find((m) => m.name === '13');
 
 /** Sign as a minus, digits kept. */
 const fixed = (x, decimals) => x.toFixed(decimals).replace('-', '−');
@@ -50,9 +69,11 @@ const fixed = (x, decimals) => x.toFixed(decimals).replace('-', '−');
 export function withBar(value, uncertainty, scientific = false) {
   if (!isNumber(value)) return '–';
   if (!(uncertainty > 0)) return short(value, 6);
-  const size = Math.floor(Math.log10(Math.abs(value) || uncertainty)), last = Math.floor(Math.log10(uncertainty)) - 1;
-  if (last < size - 9) return `${short(value, 9)} ± ${short(uncertainty)}`;  // nothing but rounding
-  if (!scientific && size >= -2 && size < 4) return `${fixed(value, Math.max(0, -last))} ± ${fixed(uncertainty, Math.max(0, -last))}`;
+  const size = Math.floor(Math.log10(Math.abs(value) || uncertainty)),
+    last = Math.floor(Math.log10(uncertainty)) - 1;
+  if (last < size - 9) return `${short(value, 9)} ± ${short(uncertainty)}`; // nothing but rounding
+  if (!scientific && size >= -2 && size < 4)
+    return `${fixed(value, Math.max(0, -last))} ± ${fixed(uncertainty, Math.max(0, -last))}`;
   const decimals = Math.max(0, size - last);
   return `(${fixed(value / 10 ** size, decimals)} ± ${fixed(uncertainty / 10 ** size, decimals)})·10${superscript(size)}`;
 }

@@ -23,7 +23,9 @@ export class SeriesPanels {
   show(series) {
     const looks = this.looksOf(series);
     const items = series.map((s) => ({key: s.key, label: s.label, swatch: swatch(looks[s.key])}));
-    this.legend.replaceChildren(isolate(`Isolate a ${this.noun}`, items, (only) => this.draw(series, looks, only)));
+    this.legend.replaceChildren(
+      isolate(`Isolate a ${this.noun}`, items, (only) => this.draw(series, looks, only))
+    );
     this.table.replaceChildren(series.length ? this.tableOf(series) : '');
     this.draw(series, looks, null);
   }
@@ -32,7 +34,8 @@ export class SeriesPanels {
     const rows = this.over === 'phi' ? rowsOverPhi(series) : rowsOverRanges(series);
     if (rows.length) this.error.draw(phiSpec(rows, looks, only, this.over));
     else this.error.say(`No ${this.noun} has an error by range of φ for this choice.`);
-    if (series.length) this.time.draw(timeSpec(timesOf(series), looks, {only, log: this.log, title: this.title}));
+    if (series.length)
+      this.time.draw(timeSpec(timesOf(series), looks, {only, log: this.log, title: this.title}));
     else this.time.say(`No ${this.noun} is timed for this choice.`);
   }
 }

@@ -10,8 +10,28 @@ import {competitorsTable, instructionsTable, publishedTable, targetsTable} from 
 
 export function speedSection(results, kind) {
   const {machine, compiler} = results.context;
-  return h('section', {class: 'speed', 'aria-labelledby': 'speed'}, h('h2', {id: 'speed'}, 'Speed'),
-    h('p', {class: 'note'}, `Medians of one run on ${machine}, ${compiler}; every time is of code that was first checked at 50 digits.`),
-    cheapestTable(results), workPrecisionFigure(results, kind), digitsFigure(results), tangentFigure(results), batchSizeFigure(results), rooflineFigure(results),
-    h('div', {class: 'columns'}, targetsTable(results), publishedTable(results), competitorsTable(results), instructionsTable(results)));
+  return h(
+    'section',
+    {class: 'speed', 'aria-labelledby': 'speed'},
+    h('h2', {id: 'speed'}, 'Speed'),
+    h(
+      'p',
+      {class: 'note'},
+      `Medians of one run on ${machine}, ${compiler}; every time is of code that was first checked at 50 digits.`
+    ),
+    cheapestTable(results),
+    workPrecisionFigure(results, kind),
+    digitsFigure(results),
+    tangentFigure(results),
+    batchSizeFigure(results),
+    rooflineFigure(results),
+    h(
+      'div',
+      {class: 'columns'},
+      targetsTable(results),
+      publishedTable(results),
+      competitorsTable(results),
+      instructionsTable(results)
+    )
+  );
 }

@@ -8,6 +8,19 @@ import {rangeFigure} from '../charts/range.js';
 import {h} from '../dom.js';
 
 export function stabilitySection(results) {
-  return h('section', {class: 'stability', 'aria-labelledby': 'stability'}, h('h2', {id: 'stability'}, 'Where methods fail'),
-    atlasFigure(results), h('div', {class: 'figures'}, pathsFigure(results), criticalLoadsFigure(results), energyFigure(results), basinsFigure(results)), rangeFigure(results));
+  return h(
+    'section',
+    {class: 'stability', 'aria-labelledby': 'stability'},
+    h('h2', {id: 'stability'}, 'Where methods fail'),
+    atlasFigure(results),
+    h(
+      'div',
+      {class: 'figures'},
+      pathsFigure(results),
+      criticalLoadsFigure(results),
+      energyFigure(results),
+      basinsFigure(results)
+    ),
+    rangeFigure(results)
+  );
 }
