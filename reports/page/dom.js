@@ -1,6 +1,14 @@
 // Elements without a framework.
 
-/** h('p', {class: 'x', onclick: f}, 'text', child, [more children]) */
+/** @typedef {import('./palette.js').Look} Look */
+
+/** h('p', {class: 'x', onclick: f}, 'text', child, [more children])
+ * @template {keyof HTMLElementTagNameMap} T
+ * @param {T} tag
+ * @param {Record<string, any>} attributes
+ * @param {any[]} children
+ * @returns {HTMLElementTagNameMap[T]}
+ */
 export function h(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -13,6 +21,7 @@ export function h(tag, attributes = {}, ...children) {
 }
 
 const SVG = 'http://www.w3.org/2000/svg';
+/** @type {Record<string, string>} */
 const PATHS = {
   circle: 'M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0',
   square: 'M-4.4,-4.4h8.8v8.8h-8.8z',
@@ -29,7 +38,9 @@ function svg(tag, attributes) {
   return element;
 }
 
-/** A legend swatch: a line with its dash, or a symbol; a look that has both is a line. */
+/** A legend swatch: a line with its dash, or a symbol; a look that has both is a line.
+ * @param {{color: string, dash?: number[], shape?: string}} look
+ */
 export function swatch({color, dash, shape}) {
   const picture = svg('svg', {
     width: dash ? 26 : 14,
@@ -48,7 +59,7 @@ export function swatch({color, dash, shape}) {
       })
     );
   } else {
-    picture.append(svg('path', {d: PATHS[shape], fill: color}));
+    picture.append(svg('path', {d: PATHS[shape ?? 'circle'], fill: color}));
   }
   return picture;
 }
@@ -181,6 +192,9 @@ export function plainTable(label, columns, rows, caption) {
     label
   );
 }
+
+/** What is there for those who ask. */
+export const folded = (title, content) => h('details', {class: 'more'}, h('summary', {}, title), content);
 
 /** A table that scrolls sideways by itself on narrow screens. */
 export function scrolling(table, label) {

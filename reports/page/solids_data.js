@@ -1,30 +1,24 @@
 // The 3D truth (results.solids): look-ups, names and looks that its tables and charts share.
 import {isNumber, short, superscript} from './format.js';
+import {HUE} from './palette.js';
 
 // Okabe-Ito hues by CSS variable; dash and shape tell them apart without colour.
-const HUES = {
-  blue: 'var(--f-halfway-1)',
-  orange: 'var(--f-attached-2)',
-  green: 'var(--f-jointc-1)',
-  purple: 'var(--f-potential-1)',
-  grey: 'var(--ink)'
-};
 
 export const LAWS = {
-  st_venant: {label: 'St. Venant–Kirchhoff', color: HUES.grey, dash: [2, 3], shape: 'square'},
-  neo_hooke: {label: 'neo-Hooke', color: HUES.green, dash: [7, 3], shape: 'triangle-up'},
-  hencky: {label: 'Hencky', color: HUES.orange, dash: [9, 3, 2, 3], shape: 'diamond'},
-  cauchy_log: {label: 'Cauchy = D : ln V', color: HUES.blue, dash: [1, 0], shape: 'circle'}
+  st_venant: {label: 'St. Venant–Kirchhoff', color: 'var(--ink)', dash: [2, 3], shape: 'square'},
+  neo_hooke: {label: 'neo-Hooke', color: HUE.green, dash: [7, 3], shape: 'triangle-up'},
+  hencky: {label: 'Hencky', color: HUE.vermilion, dash: [9, 3, 2, 3], shape: 'diamond'},
+  cauchy_log: {label: 'Cauchy = D : ln V', color: HUE.blue, dash: [1, 0], shape: 'circle'}
 };
 
 export const ELEMENTS = {
-  hex20: {label: 'hex20, reduced integration', color: HUES.blue, shape: 'circle'},
-  hex20_full: {label: 'hex20, full integration', color: HUES.green, shape: 'triangle-up'},
-  hex27: {label: 'hex27', color: HUES.orange, shape: 'square'},
-  calculix: {label: 'CalculiX, C3D20R', color: HUES.purple, shape: 'diamond'}
+  hex20: {label: 'hex20, reduced integration', color: HUE.blue, shape: 'circle'},
+  hex20_full: {label: 'hex20, full integration', color: HUE.green, shape: 'triangle-up'},
+  hex27: {label: 'hex27', color: HUE.vermilion, shape: 'square'},
+  calculix: {label: 'CalculiX, C3D20R', color: HUE.magenta, shape: 'diamond'}
 };
 
-const OTHER = {color: HUES.grey, dash: [4, 2], shape: 'cross'};
+const OTHER = {color: 'var(--ink)', dash: [4, 2], shape: 'cross'};
 export const lawLook = (key) => LAWS[key] ?? {label: key, ...OTHER};
 export const elementLook = (key) => ELEMENTS[key] ?? {label: key, ...OTHER};
 

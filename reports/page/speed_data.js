@@ -27,11 +27,14 @@ export const levelOf = (bandwidth) => bandwidth.what.match(/_(l\d)$/)?.[1].toUpp
 export const isCompetitor = (t) => t.implementation === 'competitor' || t.implementation === 'textbook';
 
 export const WHAT = {
-  residual: 'residual',
-  residual_tangent: 'residual + tangent',
-  residual_tangent_144: 'residual + 144 entries',
+  residual: 'without tangent',
+  residual_tangent: 'with tangent',
+  residual_tangent_144: 'with tangent, 144 entries',
   product: 'product J v'
 };
+const IMPLEMENTATION = {reference: 'transcription'};
+/** @param {string} key */
+export const implementationLabel = (key) => IMPLEMENTATION[key] ?? key;
 export const whatLabel = (key) => WHAT[key] ?? key.replaceAll('_', ' ');
 const ISA = {sse2: 'SSE2', avx2: 'AVX2', avx512: 'AVX-512', scalar: 'scalar'};
 export const isaLabel = (key) => ISA[key] ?? key;
@@ -39,7 +42,7 @@ export const ISAS = Object.keys(ISA);
 
 /** What a mark stands for, as the legend lists it. */
 export const MARKS = [
-  {key: 'reference', label: 'reference', shape: 'circle'},
+  {key: 'reference', label: 'transcription', shape: 'circle'},
   {key: 'kernel', label: 'kernel', shape: 'square'},
   {key: 'batch', label: 'batch', shape: 'triangle-up'},
   {key: 'float', label: 'float', shape: 'triangle-down'},
@@ -60,7 +63,9 @@ export function markOf(t) {
 /** All that tells this timing from others of its formulation, in words. */
 export const makeOf = (t) =>
   [
-    t.joints > 1 ? `${t.implementation} of ${t.joints}` : t.implementation,
+    t.joints > 1
+      ? `${implementationLabel(t.implementation)} of ${t.joints}`
+      : implementationLabel(t.implementation),
     isaLabel(t.isa),
     t.precision === 'double' || t.variant === t.precision ? '' : t.precision,
     variantLabel(t.variant),
@@ -88,7 +93,11 @@ export const variantLabel = (key) =>
 /** The same in short, for a label beside a point. */
 export const briefOf = (t) =>
   [
-    t.variant ? variantLabel(t.variant) : isAnalytic(t) ? t.implementation : methodLabel(t.method),
+    t.variant
+      ? variantLabel(t.variant)
+      : isAnalytic(t)
+        ? implementationLabel(t.implementation)
+        : methodLabel(t.method),
     isaLabel(t.isa),
     t.precision === 'float' && t.variant !== 'float' ? 'float' : ''
   ]

@@ -1,27 +1,25 @@
 // The main chart: error against time, one point per formulation and kind, with the Pareto front of each kind.
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
-import {front, KINDS} from '../data.js';
+import {KINDS, accuracyOf, front} from '../accuracy_data.js';
 import {choice, h, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
 import {bodyLabel, GROUPS} from '../solids_data.js';
+import {whatLabel} from '../speed_data.js';
 import {withLabels} from './labels.js';
 
-const WHAT = [
-  {key: 'residual', label: 'residual'},
-  {key: 'residual_tangent', label: 'residual + tangent'}
-];
+const WHAT = ['residual', 'residual_tangent'].map((key) => ({key, label: whatLabel(key)}));
 const IMPLEMENTATION = [
   {key: 'kernel', label: 'kernel'},
-  {key: 'reference', label: 'reference'}
+  {key: 'reference', label: 'transcription'}
 ];
 const ERROR = [
   {key: 'modelling', label: 'modelling'},
   {key: 'numerical', label: 'numerical'}
 ];
 const X_TITLE = {
-  residual: 'time per residual, ns (less is faster)',
-  residual_tangent: 'time per residual + tangent, ns (less is faster)'
+  residual: 'without tangent, ns (less is faster)',
+  residual_tangent: 'with tangent, ns (less is faster)'
 };
 const Y_TITLE = {
   modelling: 'modelling error, relative (less is truer)',
@@ -99,7 +97,7 @@ function spec(points, what, error) {
             {field: 'formulation', title: 'formulation'},
             {field: 'stands_for', title: 'stands for'},
             {field: 'kind_label', title: 'kind'},
-            {field: 'implementation'},
+            {field: 'implementation_label', title: 'implementation'},
             {field: 'shown_time', title: 'time'},
             {field: 'shown_value', title: 'error'},
             {field: 'floor', title: 'known to', format: '.2g'},
@@ -118,7 +116,9 @@ function footnote(points, missing, error, implementation) {
   const names = (list) => [...new Set(list.map((m) => m.name ?? m.formulation))].join(', ');
   const slow = implementation === 'kernel' ? points.filter((p) => p.implementation !== 'kernel') : [];
   return [
-    slow.length && slow.length < points.length ? `No kernel, time of the reference: ${names(slow)}. ` : '',
+    slow.length && slow.length < points.length
+      ? `No kernel, time of the transcription: ${names(slow)}. `
+      : '',
     'Dashed: Pareto front of each kind; no point of that kind is both faster and truer than one on it. ',
     floored.length
       ? `Hollow: the error is below ${what} and is drawn at that floor (${names(floored)}). `
@@ -146,15 +146,16 @@ export function accuracyFigure(results, kind) {
     implementation: results.kernels.size ? 'kernel' : 'reference',
     solid: {body: views.bodies[0], group: views.groups[0]}
   };
-  if (results.accuracy('residual', 'modelling').points.length === 0) state.error = 'numerical';
+  if (accuracyOf(results, {what: 'residual', error: 'modelling'}).points.length === 0)
+    state.error = 'numerical';
   const chart = new Chart(
     'accuracy',
-    'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table beside it holds the same numbers.'
+    'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table below it holds the same numbers.'
   );
   const note = h('figcaption', {'aria-live': 'polite'});
 
   const draw = () => {
-    const {points, missing} = results.accuracy(state.what, state.error, state.solid, state.implementation);
+    const {points, missing} = accuracyOf(results, state);
     const solid = state.error === 'solids';
     const kinds = solid ? new Set(['linear_angular']) : state.kinds; // the only kind that a body with forces and moments has
     const shown = points.filter((p) => kinds.has(p.kind));
@@ -169,7 +170,7 @@ export function accuracyFigure(results, kind) {
       ).filter(Boolean)
     );
     if (shown.length) chart.draw(spec(shown, state.what, state.error), withLabels);
-    else chart.empty('no formulation has both a time and an error for this choice.');
+    else chart.say('No formulation has both a time and an error for this choice.');
   };
   const legend = toggles(
     'Kinds of joint shown',
@@ -227,12 +228,5 @@ export function accuracyFigure(results, kind) {
     solidChoice
   );
   draw();
-  return h(
-    'figure',
-    {class: 'main-chart'},
-    h('h2', {id: 'accuracy'}, 'Accuracy against speed'),
-    controls,
-    chart.box,
-    note
-  );
+  return h('figure', {}, controls, chart.box, note);
 }

@@ -3,11 +3,13 @@ import {AT_DECADES, Chart} from '../chart.js';
 import {TOLERANCES, failuresOf} from '../atlas_data.js';
 import {h, plainTable, swatch} from '../dom.js';
 import {short} from '../format.js';
+import {Absent} from '../parts.js';
+import {HUE} from '../palette.js';
 
 const MARKS = {
-  [1e-3]: {color: 'var(--f-attached-1)', shape: 'circle'},
-  [1e-6]: {color: 'var(--f-halfway-1)', shape: 'diamond'},
-  [1e-12]: {color: 'var(--f-potential-1)', shape: 'square'}
+  [1e-3]: {color: HUE.gold, shape: 'circle'},
+  [1e-6]: {color: HUE.blue, shape: 'diamond'},
+  [1e-12]: {color: HUE.magenta, shape: 'square'}
 };
 const ANY = {color: 'var(--ink)', shape: 'triangle-up'};
 const markOf = (tolerance) => MARKS[tolerance] ?? ANY;
@@ -124,18 +126,13 @@ function panel(failure) {
 
 export function atlasFigure(results) {
   const failures = failuresOf(results);
-  if (!failures.length) {
-    const chart = new Chart('atlas', 'Safe ranges of each formulation.');
-    chart.empty('the results hold no stability.');
-    return h('figure', {id: 'atlas'}, h('h3', {}, 'Failure atlas'), chart.box);
-  }
+  if (!failures.length) return new Absent('the results hold no failures (stability)');
   const keys = [...TOLERANCES.map((t) => [t.label, MARKS[t.key]]), ['whatever the tolerance', ANY]].map(
     ([text, mark]) => h('span', {class: 'key'}, swatch(mark), text)
   );
   return h(
     'figure',
-    {class: 'wide', id: 'atlas'},
-    h('h3', {}, 'Failure atlas'),
+    {},
     h('p', {class: 'keys'}, 'Safe within', keys),
     h('div', {class: 'panels'}, failures.map(panel)),
     h(

@@ -2,6 +2,8 @@
 import {Chart, isNarrow} from '../chart.js';
 import {choice, h, plainTable, select} from '../dom.js';
 import {isNumber, short} from '../format.js';
+import {Absent} from '../parts.js';
+import {HUE} from '../palette.js';
 
 const kEndFactor = 64; // of a cell's number: iterations + 64 times the index of its end
 const FIRST = 'invariant';
@@ -25,21 +27,13 @@ const CLASSES = [
 ].map(([most, name], i) => ({
   most,
   label: `${name} iterations`,
-  color: `color-mix(in oklab, var(--f-halfway-1) ${8 + 15 * i}%, var(--paper))`
+  color: `color-mix(in oklab, ${HUE.blue} ${8 + 15 * i}%, var(--paper))`
 }));
-const END_COLORS = ['', 'var(--f-attached-2)', 'var(--muted)', 'var(--ink)', 'var(--fail)'];
-const EQUILIBRIUM_COLORS = [
-  'var(--f-halfway-1)',
-  'var(--f-attached-2)',
-  'var(--f-jointc-1)',
-  'var(--f-potential-1)',
-  'var(--f-field-2)',
-  'var(--f-halfway-2)',
-  'var(--f-potential-4)'
-];
+const END_COLORS = ['', HUE.vermilion, 'var(--muted)', 'var(--ink)', 'var(--fail)'];
+const EQUILIBRIUM_COLORS = [HUE.blue, HUE.vermilion, HUE.green, HUE.magenta, HUE.moss, HUE.sky, HUE.indigo];
 const NONE = {label: 'converges to none', color: 'var(--muted)'};
 
-const classOf = (iterations) => CLASSES.find((c) => iterations <= c.most).label;
+const classOf = (iterations) => (CLASSES.find((c) => iterations <= c.most) ?? CLASSES[0]).label;
 
 /** One row per cell; the first step begins at 0 and the directions end at their axes. */
 function loadRows(record, grid, map) {
@@ -123,7 +117,7 @@ const angles = (theta) => theta.map((t) => short(t, 3)).join(', ');
 function equilibriumLooks(map) {
   return map.equilibria.map((e, i) => ({
     label: `${map.has_branch && i === 0 ? 'continuous branch: ' : ''}(${angles(e.theta)})`,
-    color: EQUILIBRIUM_COLORS[map.has_branch ? i : i + 1] ?? 'var(--f-peer-3)'
+    color: EQUILIBRIUM_COLORS[map.has_branch ? i : i + 1] ?? HUE.brown
   }));
 }
 
@@ -222,6 +216,7 @@ function drawStarts(chart, record, state) {
 /** results.stability.basins: the record of the writer stability_basins. */
 export function basinsFigure(results) {
   const record = results.stability?.basins;
+  if (!record?.maps?.length) return new Absent('the results hold no maps of Newton (stability.basins)');
   const loads = new Chart(
     'basins-loads',
     'Map of a single Newton load step: direction of the moment across, its size upwards, colour for iterations and outcome.'
@@ -230,12 +225,6 @@ export function basinsFigure(results) {
     'basins-starts',
     'Map of starts: rotation about axes 1 and 2, colour for the equilibrium that Newton converges to.'
   );
-  const wrap = (...parts) =>
-    h('figure', {class: 'wide part', id: 'basins'}, h('h3', {}, 'Newton in a single load step'), parts);
-  if (!record?.maps?.length) {
-    [loads, starts].forEach((c) => c.empty('the results hold no maps of Newton (stability.basins).'));
-    return wrap(loads.box, starts.box);
-  }
   const names = [...new Set(record.maps.map((m) => m.formulation))];
   const state = {
     formulation: names.includes(FIRST) ? FIRST : names[0],
@@ -272,7 +261,9 @@ export function basinsFigure(results) {
   drawLoads(loads, record, state);
   drawStarts(starts, record, state);
   const moment = record.starts[0]?.moment;
-  return wrap(
+  return h(
+    'figure',
+    {},
     controls,
     h('div', {class: 'panels two'}, h('div', {}, loads.box), h('div', {}, starts.box)),
     h(

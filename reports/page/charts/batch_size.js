@@ -1,6 +1,6 @@
 // Cost against the number of joints in one call of a batch, from cache to memory.
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
-import {KINDS} from '../data.js';
+import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, select, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, plural, short} from '../format.js';
 import {
@@ -14,14 +14,16 @@ import {
   WHAT,
   whatLabel
 } from '../speed_data.js';
+import {Absent} from '../parts.js';
+import {HUE} from '../palette.js';
 
 const HUES = {
-  residual: 'var(--f-halfway-1)',
-  residual_tangent: 'var(--f-attached-2)',
-  residual_tangent_144: 'var(--f-potential-1)',
-  product: 'var(--f-jointc-1)'
+  residual: HUE.blue,
+  residual_tangent: HUE.vermilion,
+  residual_tangent_144: HUE.magenta,
+  product: HUE.green
 };
-const OTHER = ['var(--f-attached-1)', 'var(--f-halfway-2)', 'var(--f-potential-2)'];
+const OTHER = [HUE.gold, HUE.sky, HUE.violet];
 const SHAPES = {sse2: 'circle', avx2: 'square', avx512: 'triangle-up'};
 const DASHES = {1: [1, 0], 2: [5, 3]};
 const hue = (output) => HUES[output] ?? OTHER[output.length % OTHER.length];
@@ -279,17 +281,12 @@ function legend(all, state, changed) {
 }
 
 export function batchSizeFigure(results) {
+  const all = candidatesOf(results);
+  if (!all.length) return new Absent('the results hold no batch that was timed at several sizes');
   const chart = new Chart(
     'batch-size',
     'Time per joint against the number of joints in one call, both logarithmic. The table holds the same numbers.'
   );
-  const wrap = (...parts) =>
-    h('figure', {class: 'part', id: 'batch-size'}, h('h3', {}, 'Cost against the number of joints'), parts);
-  const all = candidatesOf(results);
-  if (!all.length) {
-    chart.empty('the results hold no batch that was timed at several sizes.');
-    return wrap(chart.box);
-  }
   const state = firstState(all);
   const table = h('div');
   const isShown = (t) =>
@@ -302,7 +299,9 @@ export function batchSizeFigure(results) {
     else chart.say('Nothing is timed for this choice.');
   };
   draw();
-  return wrap(
+  return h(
+    'figure',
+    {},
     choices(all, state, draw),
     legend(all, state, draw),
     chart.box,

@@ -3,6 +3,7 @@ import {Chart, isNarrow} from '../chart.js';
 import {h} from '../dom.js';
 import {isNumber, short} from '../format.js';
 import {look} from '../palette.js';
+import {Absent} from '../parts.js';
 
 const OUTPUT = 'critical_moment';
 
@@ -97,20 +98,19 @@ function byReason(findings) {
 }
 
 export function bucklingFigure(results) {
+  const {drawn, none, printed} = rowsOf(results);
+  if (!drawn.length) return new Absent('no finding c3_buckling/<formulation>/critical_moment has a value');
   const chart = new Chart(
     'buckling',
     'Critical moment of each formulation as horizontal bars, with ticks at the values that the paper prints.'
   );
-  const {drawn, none, printed} = rowsOf(results);
-  if (drawn.length) chart.draw(spec(drawn));
-  else chart.empty('no finding c3_buckling/<formulation>/critical_moment with a value.');
+  chart.draw(spec(drawn));
   const errata = [...printed.values()]
     .filter((p) => p.erratum)
     .map((p) => h('li', {}, `${p.formulation}: printed ${p.printed}, right ${p.corrected}: ${p.erratum}.`));
   return h(
     'figure',
-    {id: 'buckling'},
-    h('h3', {}, 'Buckling loads (4.1.2)'),
+    {},
     chart.box,
     h(
       'figcaption',

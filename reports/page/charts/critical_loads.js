@@ -1,17 +1,11 @@
-// Critical moments per formulation and type of moment: divergence or flutter, and the modes on the way there.
-// Reads results.stability.kind.
+// Critical moments per formulation and type of moment: divergence or flutter (results.stability.kind).
 import {Chart, isNarrow} from '../chart.js';
-import {choice, h, isolate, plainTable, swatch, toggles} from '../dom.js';
+import {choice, h, plainTable, swatch, toggles} from '../dom.js';
 import {isNumber, short} from '../format.js';
 import {look} from '../palette.js';
+import {Absent} from '../parts.js';
+import {momentLabel as labelOf} from './moments.js';
 
-const LABELS = {
-  fixed: 'fixed',
-  follower: 'follower',
-  semi_tangential: 'semi-tangential',
-  quasi_tangential: 'quasi-tangential',
-  dead_couples: 'dead couples'
-};
 const SHAPES = {
   fixed: 'circle',
   follower: 'triangle-up',
@@ -20,7 +14,6 @@ const SHAPES = {
   dead_couples: 'cross'
 };
 const SHOWN_FIRST = ['fixed', 'follower', 'semi_tangential'];
-const labelOf = (moment) => LABELS[moment] ?? moment;
 const shapeOf = (moment) => SHAPES[moment] ?? 'triangle-down';
 
 /** The rows of one axis and body; divergence, which no body changes, among them. `first` is what happens first. */
@@ -40,6 +33,7 @@ function rowsOf(kind, axis, body) {
 }
 
 /** 1, 2, 5 of each decade. */
+/** @param {number[]} domain */
 const ticks = ([low, high]) =>
   Array.from({length: 60}, (_, i) => [1, 2, 5][i % 3] * 10 ** (Math.floor(i / 3) - 6)).filter(
     (t) => t >= low && t <= high
@@ -152,88 +146,9 @@ function table(kind, rows) {
   );
 }
 
-/** Lowest eigenvalue over the load: dotted where two modes have met and grow. */
-function modesSpec(kind, moment, only) {
-  const rows = kind.modes
-    .filter((m) => m.moment === moment)
-    .flatMap((m) =>
-      m.points.map((p, order) => {
-        const [load, angle, lowest, imaginary, growth] = p;
-        return {
-          formulation: m.formulation,
-          order,
-          load,
-          angle,
-          lowest,
-          growth,
-          complex: imaginary > 1e-6 * Math.abs(lowest)
-        };
-      })
-    );
-  const names = [...new Set(rows.map((r) => r.formulation))];
-  const faded = only
-    ? {opacity: {condition: {test: `datum.formulation === ${JSON.stringify(only)}`, value: 1}, value: 0.1}}
-    : {};
-  const x = {
-    field: 'load',
-    type: 'quantitative',
-    title: 'moment about axis 1, N·m',
-    scale: {domain: [0, 2000], nice: false},
-    axis: {tickCount: 5}
-  };
-  const y = {
-    field: 'lowest',
-    type: 'quantitative',
-    title: 'lowest eigenvalue μ, 1/s²',
-    scale: {domain: [-200, 800], nice: false}
-  };
-  const color = {
-    field: 'formulation',
-    type: 'nominal',
-    legend: null,
-    scale: {domain: names, range: names.map((n) => look(n).color)}
-  };
-  const strokeDash = {
-    field: 'formulation',
-    type: 'nominal',
-    legend: null,
-    scale: {domain: names, range: names.map((n) => (look(n).dash.length ? look(n).dash : [1, 0]))}
-  };
-  const tooltip = [
-    {field: 'formulation'},
-    {field: 'load', title: 'moment, N·m'},
-    {field: 'angle', title: 'rotation, rad'},
-    {field: 'lowest', title: 'lowest real part, 1/s²'},
-    {field: 'growth', title: 'growth, 1/s'}
-  ];
-  return {
-    height: isNarrow() ? 300 : 380,
-    data: {values: rows},
-    layer: [
-      {
-        data: {values: [{zero: 0}]},
-        mark: {type: 'rule', color: 'var(--ink)'},
-        encoding: {y: {field: 'zero', type: 'quantitative'}}
-      },
-      {
-        mark: {type: 'line', clip: true, strokeWidth: 2},
-        encoding: {x, y, color, strokeDash, order: {field: 'order', type: 'quantitative'}, ...faded}
-      },
-      {
-        transform: [{filter: 'datum.complex'}],
-        mark: {type: 'point', clip: true, filled: false, size: 35},
-        encoding: {x, y, color, tooltip, ...faded}
-      },
-      {
-        transform: [{filter: '!datum.complex'}],
-        mark: {type: 'point', clip: true, filled: true, size: 40, opacity: 0},
-        encoding: {x, y, tooltip}
-      }
-    ]
-  };
-}
-
-function loadsFigure(kind) {
+export function criticalLoadsFigure(results) {
+  const kind = results.stability?.kind;
+  if (!kind?.rows?.length) return new Absent('the results hold no kinds of instability (stability.kind)');
   const chart = new Chart(
     'critical-loads',
     'Critical moment of each formulation as dots on a logarithmic axis, one row for each type of moment; filled for divergence, hollow for flutter.'
@@ -262,8 +177,7 @@ function loadsFigure(kind) {
   show();
   return h(
     'figure',
-    {id: 'critical-loads'},
-    h('h3', {}, 'Divergence or flutter'),
+    {},
     h(
       'div',
       {class: 'controls'},
@@ -290,52 +204,4 @@ function loadsFigure(kind) {
     ),
     box
   );
-}
-
-function modesFigure(kind) {
-  const chart = new Chart(
-    'critical-modes',
-    'Lowest eigenvalue of small motions over the moment about axis 1, one line for each formulation.'
-  );
-  const state = {moment: 'fixed', only: null};
-  const show = () => chart.draw(modesSpec(kind, state.moment, state.only));
-  const names = [...new Set(kind.modes.map((m) => m.formulation))];
-  const moments = [...new Set(kind.modes.map((m) => m.moment))].map((key) => ({key, label: labelOf(key)}));
-  show();
-  return h(
-    'figure',
-    {id: 'critical-modes'},
-    h('h3', {}, 'On the way to the critical moment'),
-    h(
-      'div',
-      {class: 'controls'},
-      choice('moment', moments, state.moment, (m) => {
-        state.moment = m;
-        show();
-      })
-    ),
-    isolate(
-      'Isolate a formulation',
-      names.map((n) => ({key: n, label: n, swatch: swatch(look(n))})),
-      (only) => {
-        state.only = only;
-        show();
-      }
-    ),
-    chart.box,
-    h(
-      'figcaption',
-      {},
-      'Small motions about axis 1 of the block of C3, three equal inertias of 1 kg·m²: below zero the equilibrium diverges, circles mark flutter. Cut off at 2000 N·m.'
-    )
-  );
-}
-
-export function criticalLoadsFigure(results) {
-  const kind = results.stability?.kind;
-  if (kind?.rows?.length && kind?.modes?.length)
-    return h('div', {class: 'figures wide'}, loadsFigure(kind), modesFigure(kind));
-  const chart = new Chart('critical-loads', 'Critical moments.');
-  chart.empty('no stability.kind in the results.');
-  return h('figure', {id: 'critical-loads'}, h('h3', {}, 'Divergence or flutter'), chart.box);
 }

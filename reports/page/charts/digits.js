@@ -1,9 +1,11 @@
 // What each digit costs: the variants of one joint, error over phi beside time.
-import {KINDS} from '../data.js';
+import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, select} from '../dom.js';
 import {isNumber, nanoseconds, short, superscript} from '../format.js';
 import {isAnalytic, phiText, present, rangesOf, usable, variantLabel, WHAT} from '../speed_data.js';
+import {Absent} from '../parts.js';
 import {SeriesPanels} from './series_panels.js';
+import {HUE} from '../palette.js';
 
 const kFirst = 'invariant';
 const kExact = 'full double';
@@ -13,10 +15,10 @@ const number = (key) => Number(key.match(/\d+/)?.[0] ?? 0);
 const family = (key) => key.match(/^(order|log)_\d+$/)?.[1] ?? key;
 const ORDER = ['order', 'log', 'float', kExact, 'compensated'];
 const HUES = {
-  order: 'var(--f-attached-2)',
-  log: 'var(--f-halfway-1)',
-  float: 'var(--f-potential-1)',
-  compensated: 'var(--f-jointc-1)',
+  order: HUE.vermilion,
+  log: HUE.blue,
+  float: HUE.magenta,
+  compensated: HUE.green,
   [kExact]: 'var(--ink)'
 };
 
@@ -126,27 +128,25 @@ function controls(candidates, state, changed) {
 }
 
 export function digitsFigure(results) {
+  const candidates = results.timings.filter((t) => isVariant(t) && t.variant !== '');
+  if (!candidates.length) return new Absent('the results hold no timing of a kernel’s variant');
   const panels = new SeriesPanels({
     id: 'digits',
     noun: 'variant',
     looksOf,
     tableOf,
     over: 'phi',
-    title: 'time per joint, ns'
+    title: 'time per joint, kernel, ns'
   });
-  const wrap = (...parts) =>
-    h('figure', {class: 'part', id: 'digits'}, h('h3', {}, 'What each digit costs'), parts);
   const box = h('div', {class: 'panels two'}, panels.error.box, panels.time.box);
-  const candidates = results.timings.filter((t) => isVariant(t) && t.variant !== '');
-  if (!candidates.length) {
-    panels.empty('the results hold no timing of a kernel’s variant.');
-    return wrap(box);
-  }
+  /** @type {any} */
   const state = {};
   const draw = () => panels.show(seriesOf(results, state));
   const choices = controls(candidates, state, draw);
   draw();
-  return wrap(
+  return h(
+    'figure',
+    {},
     choices,
     panels.legend,
     box,

@@ -1,9 +1,11 @@
 // Work round a closed loop of poses: how it grows with the amplitude.
 import {Chart, isNarrow} from '../chart.js';
-import {kindLabel, VERDICTS} from '../data.js';
+import {kindLabel} from '../accuracy_data.js';
+import {VERDICTS} from '../data.js';
 import {h, swatch} from '../dom.js';
 import {isNumber, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
+import {Absent} from '../parts.js';
 
 export function loopWorkFigure(results) {
   const chart = new Chart(
@@ -26,6 +28,7 @@ export function loopWorkFigure(results) {
     shown: short(f.value, 3),
     reason: f.reason
   }));
+  if (!rows.length) return new Absent('no finding of the loop work has a slope');
   const names = [...new Set(rows.map((r) => r.formulation))];
   const kinds = Object.keys(KIND_SHAPES);
   const y = {
@@ -52,47 +55,45 @@ export function loopWorkFigure(results) {
     new Set(rows.map((r) => r.kind)).size > 1
       ? {yOffset: {field: 'kind', type: 'nominal', scale: {domain: kinds}}}
       : {};
-  if (!rows.length) chart.empty('no loop-work finding with a slope in the results.');
-  else
-    chart.draw({
-      height: {step: isNarrow() ? 26 : 30},
-      data: {values: rows},
-      layer: [
-        {
-          mark: {type: 'rule', strokeWidth: 7, opacity: 0.35, color: 'var(--known)'},
-          encoding: {x: {...x, field: 'low'}, x2: {field: 'high'}, y, ...apart}
-        },
-        {
-          mark: {type: 'point', filled: true, size: 80, opacity: 1},
-          encoding: {
-            x: {...x, field: 'value'},
-            y,
-            ...apart,
-            shape: {
-              field: 'kind',
-              type: 'nominal',
-              legend: null,
-              scale: {domain: kinds, range: kinds.map((k) => KIND_SHAPES[k])}
-            },
-            color: {
-              field: 'formulation',
-              type: 'nominal',
-              legend: null,
-              scale: {domain: names, range: names.map((n) => look(n).color)}
-            },
-            tooltip: [
-              {field: 'formulation'},
-              {field: 'kind_label', title: 'kind'},
-              {field: 'value', title: 'slope', format: '.4g'},
-              {field: 'low', format: '.3g'},
-              {field: 'high', format: '.3g'},
-              {field: 'verdict'},
-              {field: 'reason'}
-            ]
-          }
+  chart.draw({
+    height: {step: isNarrow() ? 26 : 30},
+    data: {values: rows},
+    layer: [
+      {
+        mark: {type: 'rule', strokeWidth: 7, opacity: 0.35, color: 'var(--known)'},
+        encoding: {x: {...x, field: 'low'}, x2: {field: 'high'}, y, ...apart}
+      },
+      {
+        mark: {type: 'point', filled: true, size: 80, opacity: 1},
+        encoding: {
+          x: {...x, field: 'value'},
+          y,
+          ...apart,
+          shape: {
+            field: 'kind',
+            type: 'nominal',
+            legend: null,
+            scale: {domain: kinds, range: kinds.map((k) => KIND_SHAPES[k])}
+          },
+          color: {
+            field: 'formulation',
+            type: 'nominal',
+            legend: null,
+            scale: {domain: names, range: names.map((n) => look(n).color)}
+          },
+          tooltip: [
+            {field: 'formulation'},
+            {field: 'kind_label', title: 'kind'},
+            {field: 'value', title: 'slope', format: '.4g'},
+            {field: 'low', format: '.3g'},
+            {field: 'high', format: '.3g'},
+            {field: 'verdict'},
+            {field: 'reason'}
+          ]
         }
-      ]
-    });
+      }
+    ]
+  });
   const legend = kinds
     .filter((k) => rows.some((r) => r.kind === k))
     .map((k) =>
@@ -107,8 +108,7 @@ export function loopWorkFigure(results) {
     );
   return h(
     'figure',
-    {id: 'loop-work'},
-    h('h3', {}, 'Work round a closed loop'),
+    {},
     h('p', {class: 'keys'}, legend),
     chart.box,
     h(

@@ -3,6 +3,7 @@ import {Chart, isNarrow} from '../chart.js';
 import {choice, h, isolate, plainTable, swatch} from '../dom.js';
 import {full, short} from '../format.js';
 import {look} from '../palette.js';
+import {Absent} from '../parts.js';
 
 const FADED = 0.08;
 const EVENT_SHAPES = {fold: 'triangle-up', branching: 'diamond'};
@@ -18,8 +19,6 @@ const OUTPUTS = [
 ];
 
 const loadLabel = (key) => LOADS.find((l) => l.key === key)?.label ?? key;
-
-const pathsOf = (results) => results.stability?.paths ?? results.raw?.stability?.paths ?? null;
 
 /** Points of the curves as rows; a change of stability begins a new segment at the point they share. */
 function rowsOf(results, paths, load, output) {
@@ -92,7 +91,7 @@ function spec(rows, events, output, only) {
   const y = {
     field: 'value',
     type: 'quantitative',
-    title: `${OUTPUTS.find((o) => o.key === output).label}, rad`
+    title: `${OUTPUTS.find((o) => o.key === output)?.label}, rad`
   };
   const color = {
     field: 'formulation',
@@ -240,15 +239,12 @@ function stepTable(results, paths) {
 }
 
 export function pathsFigure(results) {
+  const paths = results.stability?.paths;
+  if (!paths?.curves?.length) return new Absent('the results hold no equilibrium paths (stability.paths)');
   const chart = new Chart(
     'paths',
     'Rotation over the moment along the equilibrium paths of each formulation; stable parts solid, unstable dashed; folds and branchings marked.'
   );
-  const paths = pathsOf(results);
-  if (!paths?.curves?.length) {
-    chart.empty('no equilibrium paths in the results (stability.paths).');
-    return h('figure', {id: 'paths'}, h('h3', {}, 'Paths through buckling'), chart.box);
-  }
   const state = {load: 'skewed', output: 'phi', only: null};
   const draw = () =>
     chart.draw(
@@ -275,8 +271,7 @@ export function pathsFigure(results) {
   draw();
   return h(
     'figure',
-    {id: 'paths'},
-    h('h3', {}, 'Paths through buckling'),
+    {},
     choice('Moment', LOADS, state.load, set('load')),
     choice('Rotation', OUTPUTS, state.output, set('output')),
     legend,

@@ -1,17 +1,19 @@
 // Roofline: flops per ns against flops per byte of every batch kernel, under the peaks and bandwidths of this run.
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
-import {KINDS} from '../data.js';
+import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, swatch} from '../dom.js';
 import {short} from '../format.js';
 import {percent} from '../solids_data.js';
 import {ISAS, isaLabel, present, speedOf, whatLabel} from '../speed_data.js';
+import {Absent} from '../parts.js';
 import {inMemory, isRoofed, kernelsOf, linesOf} from './roofline_data.js';
+import {HUE} from '../palette.js';
 
 const HUES = {
   scalar: 'var(--muted)',
-  sse2: 'var(--f-jointc-1)',
-  avx2: 'var(--f-attached-1)',
-  avx512: 'var(--f-halfway-1)'
+  sse2: HUE.green,
+  avx2: HUE.gold,
+  avx512: HUE.blue
 };
 const SHAPES = {
   residual: 'circle',
@@ -149,25 +151,20 @@ function legendOf(points) {
 }
 
 export function rooflineFigure(results) {
+  const all = results.timings.filter(isRoofed);
+  if (!all.length) return new Absent('the results hold no batch with counted flops');
   const chart = new Chart(
     'roofline',
     'Flops per ns against flops per byte of each batch kernel, both logarithmic, under the measured peaks and bandwidths. The table holds the same numbers.'
   );
-  const wrap = (...parts) =>
-    h('figure', {class: 'part', id: 'roofline'}, h('h3', {}, 'Share of the hardware’s limit'), parts);
   const speed = speedOf(results);
-  const all = results.timings.filter(isRoofed);
-  if (!all.length) {
-    chart.empty('the results hold no batch with counted flops.');
-    return wrap(chart.box);
-  }
   const kinds = KINDS.filter((k) => all.some((t) => t.kind === k.key));
   const precisions = present(all.map((t) => t.precision));
   const state = {kind: kinds[0].key, precision: precisions[0], place: 'cache'};
   const [table, legend] = [h('div', {class: 'tall'}), h('p', {class: 'keys'})];
   const draw = () => {
     const points = kernelsOf(all, speed, state);
-    const placed = points.filter((p) => p.intensity > 0);
+    const placed = points.filter((p) => (p.intensity ?? 0) > 0);
     legend.replaceChildren(...legendOf(placed));
     table.replaceChildren(points.length ? tableOf(points) : '');
     if (placed.length)
@@ -184,7 +181,9 @@ export function rooflineFigure(results) {
     draw();
   };
   draw();
-  return wrap(
+  return h(
+    'figure',
+    {},
     h(
       'div',
       {class: 'controls'},

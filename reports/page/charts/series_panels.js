@@ -7,16 +7,17 @@ const timesOf = (series) => series.map((s) => ({series: s.key, label: s.label, n
 
 /** id: of the charts; noun: what a series is; looksOf(series): key -> {color, dash}; over: 'phi' or 'ranges'; log, title: of the time axis. */
 export class SeriesPanels {
-  constructor({id, noun, looksOf, tableOf, over, log, title}) {
-    Object.assign(this, {noun, looksOf, tableOf, over, log, title});
+  constructor({id, noun, looksOf, tableOf, over, log = false, title}) {
+    this.noun = noun;
+    this.looksOf = looksOf;
+    this.tableOf = tableOf;
+    this.over = over;
+    this.log = log;
+    this.title = title;
     this.error = new Chart(`${id}-error`, `Error against φ, one line per ${noun}, logarithmic.`);
     this.time = new Chart(`${id}-time`, `Time of each ${noun}.`);
-    [this.legend, this.table] = [h('div'), h('div')];
-  }
-
-  empty(why) {
-    this.error.empty(why);
-    this.time.empty(why);
+    this.legend = h('div');
+    this.table = h('div');
   }
 
   /** series: {key, label, timing}; another list isolates none at first. */

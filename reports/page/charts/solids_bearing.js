@@ -1,5 +1,5 @@
 // xi of the bearing over the width of its hole, one line per material law, beside the printed value.
-import {Chart, figure, isNarrow} from '../chart.js';
+import {Chart, isNarrow} from '../chart.js';
 import {choice, h, swatch} from '../dom.js';
 import {isNumber, short} from '../format.js';
 import {familyLabel, familyNamed, lawLook} from '../solids_data.js';
@@ -126,17 +126,14 @@ function spec({hole, line, fits}, printed) {
 }
 
 export function bearingChart(bearing) {
+  const scans = bearing.scans ?? [];
+  const names = [...new Set(scans.map((s) => s.name))];
+  if (!names.length)
+    return h('p', {class: 'empty'}, 'No scan over the width of a hole (solids.bearing.scans).');
   const chart = new Chart(
     'solids-bearing',
     'ξ of the bearing against the width of its hole, one line per material law, with the printed value as a dashed line.'
   );
-  const scans = bearing.scans ?? [];
-  const names = [...new Set(scans.map((s) => s.name))];
-  const title = 'ξ over the width of the hole';
-  if (!names.length) {
-    chart.empty('no scan over the width of a hole in the results (solids.bearing.scans).');
-    return figure(title, null, chart.box);
-  }
   const draw = (name) => chart.draw(spec(rowsOf(bearing, name), bearing.printed_xi));
   const options = names.map((key) => ({key, label: familyLabel(familyNamed(bearing, key))}));
   const laws = [...new Set(scans.flatMap((s) => Object.keys(s.xi ?? {})))];
@@ -148,10 +145,17 @@ export function bearingChart(bearing) {
     )
   );
   draw(names[0]);
-  return figure(
-    title,
+  return h(
+    'figure',
+    {},
+    h('h4', {}, 'ξ over the width of the hole'),
     h('div', {class: 'controls'}, choice('Family', options, names[0], draw), legend),
     chart.box,
-    'Each point is a geometry fitted anew with its hole held at that width. Hollow: not admissible. Large: the hole fitted as well, and no hole at all (width 0), with error bars.'
+    h(
+      'figcaption',
+      {},
+      'Each point is a geometry fitted anew with its hole held at that width. Hollow: not admissible. ',
+      'Large: the hole fitted as well, and no hole at all (width 0), with error bars.'
+    )
   );
 }

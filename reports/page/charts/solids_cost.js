@@ -1,8 +1,9 @@
 // Accuracy against cost of the 3D truth itself: elements and meshes, and CalculiX on the same meshes.
-import {AT_DECADES, Chart, figure, isNarrow} from '../chart.js';
+import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {choice, h, swatch} from '../dom.js';
 import {full, isNumber, seconds, short} from '../format.js';
 import {bodyLabel, ELEMENTS, elementLook, lawLook, LAWS, paperXi} from '../solids_data.js';
+import {Absent} from '../parts.js';
 
 const WHAT = [
   {key: 'xi', label: 'ξ'},
@@ -141,15 +142,12 @@ function firstBody(solids) {
 }
 
 export function costFigure(solids) {
+  const bodies = solids.bodies.filter((b) => b.runs?.length);
+  if (!bodies.length) return new Absent('the results hold no run over meshes (solids.bodies[].runs)');
   const chart = new Chart(
     'solids-cost',
     'Error of ξ or of the compliances against processor time, both logarithmic, one line per element over its meshes.'
   );
-  const title = 'What accuracy costs';
-  if (!solids.bodies.some((b) => b.runs?.length)) {
-    chart.empty('no run over meshes in the results (solids.bodies[].runs).');
-    return figure(title, null, chart.box);
-  }
   const state = {body: firstBody(solids), what: 'xi', law: kCalculixLaw};
   const legend = h('p', {class: 'keys'});
   const laws = choice(
@@ -182,10 +180,10 @@ export function costFigure(solids) {
       );
     else chart.draw(spec(points, state.what));
   };
-  const bodies = solids.bodies.filter((b) => b.runs?.length);
   draw();
-  return figure(
-    title,
+  return h(
+    'figure',
+    {},
     h(
       'div',
       {class: 'controls'},
@@ -206,7 +204,12 @@ export function costFigure(solids) {
       legend
     ),
     chart.box,
-    'Error: distance to the value extrapolated from the meshes of hex20. Dotted: the error bar of that value; what is nearer is drawn there, hollow. ' +
-      'Ours: one linear analysis with the couplings of all laws; CalculiX: one linear and several nonlinear runs, St. Venant–Kirchhoff only.'
+    h(
+      'figcaption',
+      {},
+      'Error: distance to the value extrapolated from the meshes of hex20. Dotted: the error bar of that value; ',
+      'what is nearer is drawn there, hollow. Ours: one linear analysis with the couplings of all laws; ',
+      'CalculiX: one linear and several nonlinear runs, St. Venant–Kirchhoff only.'
+    )
   );
 }

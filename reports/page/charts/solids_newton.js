@@ -1,8 +1,9 @@
 // Time and memory of a full nonlinear solve against its size.
-import {AT_DECADES, Chart, figure, isNarrow} from '../chart.js';
+import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {h} from '../dom.js';
 import {seconds, short} from '../format.js';
 import {bodyLabel, elementLook} from '../solids_data.js';
+import {Absent} from '../parts.js';
 
 const PANELS = [
   {field: 'seconds', title: 'wall time of one solve, s'},
@@ -50,27 +51,29 @@ function spec(rows, {field, title}) {
 }
 
 export function newtonFigure(solids) {
+  if (!solids.newton.length)
+    return new Absent('the results hold no cost of a nonlinear solve (solids.newton)');
   const charts = PANELS.map(
     (p) =>
       new Chart(`solids-newton-${p.field}`, `${p.title} against the number of unknowns, both logarithmic.`)
   );
   const rows = solids.newton.map((r) => ({...r, series: `${bodyLabel(r.body)}, ${r.element}`}));
-  charts.forEach((chart, i) =>
-    rows.length
-      ? chart.draw(spec(rows, PANELS[i]))
-      : chart.empty('no cost of a nonlinear solve in the results (solids.newton).')
-  );
-  const most = rows.length ? rows.reduce((a, b) => (b.unknowns > a.unknowns ? b : a)) : null;
-  return figure(
-    'What a nonlinear solve costs',
-    null,
+  charts.forEach((chart, i) => chart.draw(spec(rows, PANELS[i])));
+  const most = rows.reduce((a, b) => (b.unknowns > a.unknowns ? b : a));
+  return h(
+    'figure',
+    {},
     h(
       'div',
       {class: 'panels two'},
       charts.map((c) => c.box)
     ),
-    most
-      ? `Newton from the unloaded body; a factorization is kept while each of its steps gains a digit. The largest, ${most.series}: ${most.unknowns.toLocaleString('en')} unknowns, ${most.iterations} Newton steps, ${seconds(most.seconds)}, ${short(most.megabytes, 4)} MB.`
-      : null
+    h(
+      'figcaption',
+      {},
+      'Newton from the unloaded body; a factorization is kept while each of its steps gains a digit. ',
+      `The largest, ${most.series}: ${most.unknowns.toLocaleString('en')} unknowns, ${most.iterations} Newton steps, `,
+      `${seconds(most.seconds)}, ${short(most.megabytes, 4)} MB.`
+    )
   );
 }

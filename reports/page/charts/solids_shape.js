@@ -1,7 +1,8 @@
 // A deformed body that can be turned: drag, or arrow keys; SVG, so that light, dark and print need no second drawing.
-import {account} from '../chart.js';
+import {account} from '../account.js';
 import {h} from '../dom.js';
 import {short} from '../format.js';
+import {HUE} from '../palette.js';
 import {ball, farthestFirst, outline, outward, shade, size, turn} from './view3d.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -69,7 +70,7 @@ function paint(parts, shape, body, view, share) {
     const moved = body.faces[f].reduce((sum, n) => sum + body.moved[n], 0) / 4;
     parts.faces[i].setAttribute('points', corners.map((p) => point(p, view.zoom)).join(' '));
     parts.faces[i].style.fill =
-      `color-mix(in oklab, color-mix(in oklab, var(--solid-far) ${(100 * moved).toFixed(0)}%, var(--solid-near)), var(--solid-shade) ${(40 * shade(corners)).toFixed(0)}%)`;
+      `color-mix(in oklab, color-mix(in oklab, ${HUE['solid-far']} ${(100 * moved).toFixed(0)}%, ${HUE['solid-near']}), ${HUE['solid-shade']} ${(40 * shade(corners)).toFixed(0)}%)`;
   });
   parts.edges.forEach(([a, b], i) =>
     [parts.behind[i], parts.before[i]].forEach((line) => {
@@ -120,6 +121,7 @@ function interactive(frame, view, repaint) {
     view.zoom = limited(view.zoom, 0.5, 4);
     repaint();
   };
+  /** @type {number[] | null} */
   let last = null;
   frame.addEventListener('pointerdown', (e) => {
     last = [e.clientX, e.clientY];
@@ -204,7 +206,7 @@ export function shapeFigure(shape) {
           class: 'plain',
           onclick: () => {
             Object.assign(view, kStart);
-            share.value = 1;
+            share.value = '1';
             repaint();
           }
         },

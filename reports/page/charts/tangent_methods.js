@@ -1,18 +1,20 @@
 // The tangent by method: time, and error over phi up to pi, where differences fail.
-import {KINDS} from '../data.js';
+import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, select} from '../dom.js';
 import {isNumber, nanoseconds, short} from '../format.js';
 import {methodLabel, nearPi, present, ratio, usable} from '../speed_data.js';
+import {Absent} from '../parts.js';
 import {SeriesPanels} from './series_panels.js';
+import {HUE} from '../palette.js';
 
 const LOOKS = {
   analytic: {color: 'var(--ink)', dash: [1, 0]},
-  dual: {color: 'var(--f-halfway-1)', dash: [7, 3]},
-  autodiff: {color: 'var(--f-halfway-2)', dash: [2, 3]},
-  ceres_jet: {color: 'var(--f-jointc-1)', dash: [9, 3, 2, 3]},
-  complex_step: {color: 'var(--f-potential-1)', dash: [4, 2]},
-  forward: {color: 'var(--f-attached-2)', dash: [1, 0]},
-  central: {color: 'var(--f-attached-1)', dash: [1, 0]}
+  dual: {color: HUE.blue, dash: [7, 3]},
+  autodiff: {color: HUE.sky, dash: [2, 3]},
+  ceres_jet: {color: HUE.green, dash: [9, 3, 2, 3]},
+  complex_step: {color: HUE.magenta, dash: [4, 2]},
+  forward: {color: HUE.vermilion, dash: [1, 0]},
+  central: {color: HUE.gold, dash: [1, 0]}
 };
 const OTHER = {color: 'var(--muted)', dash: [4, 2]};
 const kWhat = 'residual_tangent';
@@ -51,7 +53,7 @@ function seriesOf(results, {formulation, kind}) {
 /** The analytic tangent of the reference stands beside the kernel's. */
 const lookOf = ({method, timing}) =>
   method === 'analytic' && timing.implementation !== kOwn
-    ? {color: 'var(--f-peer-2)', dash: [4, 2]}
+    ? {color: HUE.steel, dash: [4, 2]}
     : (LOOKS[method] ?? OTHER);
 const looksOf = (series) => Object.fromEntries(series.map((s) => [s.key, lookOf(s)]));
 
@@ -113,6 +115,9 @@ function controls(candidates, state, changed) {
 }
 
 export function tangentFigure(results) {
+  const candidates = results.timings.filter((t) => isCandidate(t) && t.method && t.method !== 'analytic');
+  if (!candidates.length)
+    return new Absent('the results hold no tangent by another method than the analytic one');
   const panels = new SeriesPanels({
     id: 'tangent',
     noun: 'method',
@@ -120,21 +125,17 @@ export function tangentFigure(results) {
     tableOf,
     over: 'ranges',
     log: true,
-    title: 'residual + tangent, ns'
+    title: 'with tangent, ns'
   });
-  const wrap = (...parts) =>
-    h('figure', {class: 'part', id: 'tangent'}, h('h3', {}, 'The tangent by method'), parts);
   const box = h('div', {class: 'panels two'}, panels.error.box, h('div', {}, panels.time.box, panels.table));
-  const candidates = results.timings.filter((t) => isCandidate(t) && t.method && t.method !== 'analytic');
-  if (!candidates.length) {
-    panels.empty('the results hold no tangent by a method other than the analytic one.');
-    return wrap(box);
-  }
+  /** @type {any} */
   const state = {};
   const draw = () => panels.show(seriesOf(results, state));
   const choices = controls(candidates, state, draw);
   draw();
-  return wrap(
+  return h(
+    'figure',
+    {},
     choices,
     panels.legend,
     box,

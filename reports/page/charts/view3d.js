@@ -1,6 +1,9 @@
 // Geometry of the 3D pictures: turning, the order of painting, the edges of a body's outline. No drawing here.
 
-/** Coordinates 1, 2, 3 seen from a turntable about axis 1, which points up: right, up, toward the viewer. yaw, pitch in rad. */
+/** Coordinates 1, 2, 3 seen from a turntable about axis 1, which points up: right, up, toward the viewer.
+ * @param {number[]} point
+ * @param {{yaw: number, pitch: number}} view rad
+ */
 export function turn([x1, x2, x3], {yaw, pitch}) {
   const c = Math.cos(yaw),
     s = Math.sin(yaw),

@@ -1,10 +1,11 @@
 // The work-precision figure: what an error costs, for every implementation, precision, variant and method.
 import {Chart} from '../chart.js';
-import {front, KINDS} from '../data.js';
+import {front, KINDS} from '../accuracy_data.js';
 import {choice, h, isolate, plainTable, select, swatch, toggles} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
 import {look} from '../palette.js';
 import {MARKS, markOf, rangeKey, rangeLabel, usable, WHAT, whatLabel} from '../speed_data.js';
+import {Absent} from '../parts.js';
 import {withLabels} from './labels.js';
 import {pointsOf, rangesIn, scenesOf, timingsOf} from './work_precision_data.js';
 import {workPrecisionSpec} from './work_precision_spec.js';
@@ -98,15 +99,17 @@ function marksIn(results) {
 }
 
 export function workPrecisionFigure(results, kind) {
+  const kinds = KINDS.filter((k) => WHATS.some((w) => timingsOf(results, k.key, w.key).length));
+  if (!kinds.length) return new Absent('the results hold no timing of a joint');
   const chart = new Chart(
     'work-precision',
     'Error against time per joint, both logarithmic, one mark per implementation. The table holds the same numbers.'
   );
-  const kinds = KINDS.filter((k) => WHATS.some((w) => timingsOf(results, k.key, w.key).length));
   const marks = marksIn(results);
+  /** @type {any} */
   const state = {
     view: 'numerical',
-    kind: kinds.some((k) => k.key === kind) ? kind : kinds[0]?.key,
+    kind: kinds.some((k) => k.key === kind) ? kind : kinds[0].key,
     what: 'residual',
     marks: new Set(marks.map((m) => m.key)),
     only: null
@@ -141,8 +144,7 @@ export function workPrecisionFigure(results, kind) {
     state[key] = value;
     renew();
   };
-  if (kinds.length) renew();
-  else chart.empty('the results hold no timing of a residual.');
+  renew();
   const markItems = marks.map((m) => ({
     key: m.key,
     label: m.label,
@@ -151,24 +153,19 @@ export function workPrecisionFigure(results, kind) {
   }));
   return h(
     'figure',
-    {class: 'part', id: 'work-precision'},
-    h('h3', {}, 'Work and precision'),
-    kinds.length
-      ? h(
-          'div',
-          {class: 'controls'},
-          choice('Error', VIEWS, state.view, set('view')),
-          second,
-          choice('Kind', kinds, state.kind, set('kind')),
-          choice('Time of', WHATS, state.what, set('what'))
-        )
-      : null,
-    kinds.length
-      ? toggles('Marks shown', markItems, (keys) => {
-          state.marks = new Set(keys);
-          renew();
-        })
-      : null,
+    {},
+    h(
+      'div',
+      {class: 'controls'},
+      choice('Error', VIEWS, state.view, set('view')),
+      second,
+      choice('Kind', kinds, state.kind, set('kind')),
+      choice('Time of', WHATS, state.what, set('what'))
+    ),
+    toggles('Marks shown', markItems, (keys) => {
+      state.marks = new Set(keys);
+      renew();
+    }),
     legend,
     h('div', {class: 'with-table'}, chart.box, table),
     note

@@ -1,5 +1,5 @@
 // Points of the work-precision figure: error against time in its three views.
-import {kindLabel} from '../data.js';
+import {errorOf, kindLabel} from '../accuracy_data.js';
 import {isNumber} from '../format.js';
 import {
   briefOf,
@@ -47,7 +47,7 @@ function point(t, value, floor, note) {
     formulation: t.formulation || t.name,
     kind: t.kind,
     mark,
-    mark_label: MARKS.find((m) => m.key === mark).label,
+    mark_label: MARKS.find((m) => m.key === mark)?.label ?? mark,
     make: makeOf(t),
     ns: t.ns,
     spread: t.spread,
@@ -80,8 +80,8 @@ function inRange(t, range) {
 /** The cheapest timing of each formulation whose own error stays below the modelling error. */
 function modelled(results, timings, kind, scene) {
   return results.formulations.flatMap(({name}) => {
-    const m = results.errorOf(results.finding(name, kind, scene), kind);
-    if (m.reason) return [];
+    const m = errorOf(results.finding(name, kind, scene), kind);
+    if (m.reason !== undefined) return [];
     const size = Math.max(m.value, m.floor);
     const own = timings
       .filter((t) => t.formulation === name && isNumber(t.error) && t.error <= size)

@@ -2,9 +2,10 @@
 import {VERDICTS} from '../data.js';
 import {h, scrolling} from '../dom.js';
 import {short} from '../format.js';
+import {tallyOf} from '../tally_data.js';
 import {story} from './matrix.js';
 
-const kFirst = 150;
+const kFirst = 60; // rows: the search finds the others
 
 export function findingsTable(results) {
   const state = {text: '', verdict: '', all: false};
@@ -63,6 +64,7 @@ export function findingsTable(results) {
       draw();
     }
   });
+  const tally = tallyOf(results.findings);
   const verdict = h(
     'select',
     {
@@ -73,20 +75,10 @@ export function findingsTable(results) {
       }
     },
     h('option', {value: ''}, 'all verdicts'),
-    Object.entries(VERDICTS).map(([key, v]) =>
-      h('option', {value: key}, `${v.label} (${results.count(key)})`)
-    )
+    Object.entries(VERDICTS).map(([key, v]) => h('option', {value: key}, `${v.label} (${tally[key]})`))
   );
-  // Rows are made when the table is first opened: thousands of them cost nothing before.
-  const details = h(
-    'details',
-    {
-      id: 'findings-table',
-      ontoggle: () => {
-        if (details.open && !place.children.length) draw();
-      }
-    },
-    h('summary', {}, `All ${results.findings.length} findings`),
+  draw();
+  return [
     h(
       'div',
       {class: 'controls'},
@@ -111,6 +103,5 @@ export function findingsTable(results) {
       ),
       'All findings'
     )
-  );
-  return h('section', {'aria-labelledby': 'findings'}, h('h2', {id: 'findings'}, 'Every finding'), details);
+  ];
 }

@@ -1,14 +1,17 @@
 // One line per formulation: what it is, how true, how fast, what it keeps.
-import {holds, KINDS, VERDICTS} from '../data.js';
+import {KINDS, modellingOf} from '../accuracy_data.js';
+import {holds, VERDICTS} from '../data.js';
 import {h, scrolling, swatch} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
 import {look} from '../palette.js';
+import {implementationLabel} from '../speed_data.js';
+import {signNote, TIMES_NOTE} from './notes.js';
 
 const SHORT = {angular: 'ang.', linear: 'lin.', linear_angular: 'l/a'};
 
 function errorCell(results, name, kind) {
-  const m = results.modelling(name, kind);
-  if (m.reason) return h('td', {class: 'number none', title: m.reason}, '–');
+  const m = modellingOf(results, name, kind);
+  if (m.reason !== undefined) return h('td', {class: 'number none', title: m.reason}, '–');
   const floored = !(m.value > m.floor);
   return h(
     'td',
@@ -17,15 +20,14 @@ function errorCell(results, name, kind) {
   );
 }
 
+/** Of the kernel; T: where there is none, of the transcription. */
 function timeCell(results, name, kind) {
   const timing = results.preferred(name, kind, 'residual');
   if (!timing) return h('td', {class: 'number none', title: 'not timed'}, '–');
   if (timing.wrong) return h('td', {class: 'number fail', title: timing.message}, 'wrong');
-  return h(
-    'td',
-    {class: 'number', title: `${timing.implementation}, spread ${short(100 * timing.spread, 1)} %`},
-    nanoseconds(timing.ns)
-  );
+  const title = `${implementationLabel(timing.implementation)}, spread ${short(100 * timing.spread, 1)} %`;
+  const mark = timing.implementation === 'kernel' ? '' : ' T';
+  return h('td', {class: 'number', title}, nanoseconds(timing.ns), mark);
 }
 
 /** Yes, or no with the kinds that fail and their values; over all kinds that were measured. */
@@ -57,8 +59,8 @@ export function formulationsTable(results) {
       'tr',
       {},
       h('th', {scope: 'col', rowspan: 2}, 'formulation'),
-      h('th', {scope: 'colgroup', colspan: 3}, 'modelling error'),
-      h('th', {scope: 'colgroup', colspan: 3}, 'residual, ns'),
+      h('th', {scope: 'colgroup', colspan: 3}, 'modelling error at small angles'),
+      h('th', {scope: 'colgroup', colspan: 3}, 'ns, without tangent'),
       h(
         'th',
         {scope: 'col', rowspan: 2, title: 'exchanging nodes a and b changes nothing'},
@@ -99,18 +101,18 @@ export function formulationsTable(results) {
       )
     )
   );
-  return h(
-    'section',
-    {class: 'formulations', 'aria-labelledby': 'formulations'},
-    h('h2', {id: 'formulations'}, 'The formulations'),
-    scrolling(h('table', {class: 'compact'}, head, body), 'Table of formulations'),
+  return [
+    scrolling(h('table', {class: 'compact formulations'}, head, body), 'Table of formulations'),
     h(
       'p',
       {class: 'note'},
-      results.kernels.size ? 'Times are the kernel’s, or the reference’s where there is no kernel. ' : '',
-      '≈: measured, known and held in a band. <: below the uncertainty of the truth. l/a: linear/angular. –: not measured; the reason is under ',
+      '≈: measured, known and held in a band. <: below the uncertainty of the truth. l/a: linear/angular. ',
+      '–: not measured; the reason is under ',
       h('a', {href: '#left-out'}, 'Failed or left out'),
-      '.'
+      '. ',
+      'Times are of the kernel; T: of the transcription, where there is no kernel. ',
+      TIMES_NOTE,
+      signNote()
     )
-  );
+  ];
 }

@@ -1,5 +1,6 @@
 // Formulation x property, with the value in the cell and its story on demand.
-import {KINDS, ORACLES, VERDICTS} from '../data.js';
+import {KINDS} from '../accuracy_data.js';
+import {ORACLES, VERDICTS} from '../data.js';
 import {choice, h, scrolling} from '../dom.js';
 import {full, short} from '../format.js';
 
@@ -102,10 +103,7 @@ export function propertyMatrix(results) {
     place.replaceChildren(scrolling(h('table', {class: 'matrix'}, head, body), 'Property matrix'));
   };
   draw('angular');
-  return h(
-    'section',
-    {'aria-labelledby': 'properties'},
-    h('h2', {id: 'properties'}, 'What each formulation keeps'),
+  return [
     h(
       'div',
       {class: 'controls'},
@@ -120,5 +118,5 @@ export function propertyMatrix(results) {
     ),
     place,
     detail
-  );
+  ];
 }

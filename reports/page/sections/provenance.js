@@ -21,10 +21,7 @@ export function provenance(results, raw) {
     link.click();
     URL.revokeObjectURL(link.href);
   };
-  return h(
-    'section',
-    {'aria-labelledby': 'provenance'},
-    h('h2', {id: 'provenance'}, 'Where this comes from'),
+  return [
     h(
       'p',
       {},
@@ -39,5 +36,5 @@ export function provenance(results, raw) {
       {class: 'facts'},
       rows.filter(([, v]) => v).flatMap(([k, v]) => [h('dt', {}, k), h('dd', {}, v)])
     )
-  );
+  ];
 }

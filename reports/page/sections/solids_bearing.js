@@ -1,9 +1,9 @@
 // The bearing of Table 4: geometries that have its compliances, and the xi of each.
-import {account} from '../chart.js';
 import {bearingChart} from '../charts/solids_bearing.js';
 import {h, scrolling} from '../dom.js';
 import {isNumber, plural, short} from '../format.js';
 import {familyLabel, familyNamed, lawLook, percent, withBar} from '../solids_data.js';
+import {Absent} from '../parts.js';
 
 const extent = (f) => `${short(f.extent, 4)} ${f.cut === 'cone' ? 'rad' : 'm'}`;
 const width = (f) => (f.hole === 'none' ? '–' : `${short(f.width, 3)} ${f.hole === 'cone' ? 'rad' : 'm'}`);
@@ -123,26 +123,18 @@ function xiTable(bearing) {
 }
 
 export function bearingPart(solids) {
-  const part = h(
-    'div',
-    {class: 'part', id: 'solids-bearing'},
-    h('h3', {}, 'The bearing of Table 4: which geometry, which ξ?')
-  );
-  if (!solids.bearing?.families?.length) {
-    account('solids-bearing', 'empty');
-    part.append(h('p', {class: 'empty'}, 'Not shown: the results hold no fitted bearing (solids.bearing).'));
-    return part;
-  }
-  part.append(
+  if (!solids.bearing?.families?.length)
+    return new Absent('the results hold no fitted bearing (solids.bearing)');
+  return [
     h('p', {class: 'statement'}, statement(solids.bearing)),
     familyTable(solids.bearing),
     h(
       'p',
       {class: 'note'},
-      'Radii of the two bowls; extent: distance of the plane cut from the outer pole, or angle of the conical cut; hole: radius or angle. Fitted by least squares to the four compliances and the joint point.'
+      'Radii of the two bowls; extent: distance of the plane cut from the outer pole, or angle of the conical cut; ',
+      'hole: radius or angle. Fitted by least squares to the four compliances and the joint point.'
     ),
     xiTable(solids.bearing),
     bearingChart(solids.bearing)
-  );
-  return part;
+  ];
 }

@@ -47,7 +47,7 @@ function row(results, table, body, {axis, name, label}) {
 
 function oneTable(results, solids, {table, body: name, title}) {
   const body = solids.bodies.find((b) => b.name === name);
-  const heading = h('h3', {}, title);
+  const heading = h('h4', {}, title);
   if (!body)
     return h('div', {}, heading, h('p', {class: 'empty'}, `Not shown: the results hold no 3D body ${name}.`));
   const rows = AXES.map((a) => row(results, table, body, a)).filter(Boolean);
@@ -111,9 +111,7 @@ function remarks(results, solids) {
 }
 
 export function printedTables(results, solids) {
-  return h(
-    'div',
-    {class: 'part', id: 'solids-tables'},
+  return [
     h(
       'div',
       {class: 'columns'},
@@ -126,5 +124,5 @@ export function printedTables(results, solids) {
       '±: grid convergence over the meshes of hex20. ',
       remarks(results, solids).join(' ')
     )
-  );
+  ];
 }

@@ -2,6 +2,7 @@
 import {h, scrolling} from '../dom.js';
 import {isNumber, short} from '../format.js';
 import {bodyLabel, GROUPS, lawLook, paperXi, percent, withBar} from '../solids_data.js';
+import {Absent} from '../parts.js';
 
 /** The printed xi of the frustum and whether a law gives it to the printed digits. */
 function printed(results, law) {
@@ -123,11 +124,7 @@ function halves(solids) {
 }
 
 export function xiTable(results, solids) {
-  const part = h('div', {class: 'part', id: 'solids-xi'}, h('h3', {}, 'ξ of each body and material law'));
-  if (!solids.bodies.some((b) => b.xis?.length)) {
-    part.append(h('p', {class: 'empty'}, 'Not shown: the results hold no ξ of a 3D body.'));
-    return part;
-  }
+  if (!solids.bodies.some((b) => b.xis?.length)) return new Absent('the results hold no ξ of a 3D body');
   const head = h(
     'thead',
     {},
@@ -148,7 +145,7 @@ export function xiTable(results, solids) {
       ])
     )
   );
-  part.append(
+  return [
     scrolling(
       h(
         'table',
@@ -166,6 +163,5 @@ export function xiTable(results, solids) {
       halves(solids).join(' ')
     ),
     pairs(solids)
-  );
-  return part;
+  ];
 }

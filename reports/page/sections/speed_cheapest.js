@@ -1,22 +1,35 @@
 // The cheapest sufficient model: per scene and tolerance, what to use.
-import {account} from '../chart.js';
-import {kindLabel} from '../data.js';
+import {isOwnTruth, tableOf} from '../cheapest_data.js';
+import {kindLabel} from '../accuracy_data.js';
 import {h, scrolling, swatch} from '../dom.js';
 import {isNumber, nanoseconds, short, superscript} from '../format.js';
 import {look} from '../palette.js';
+import {Absent} from '../parts.js';
 import {percent} from '../solids_data.js';
-import {isAnalytic, methodLabel, ratio, speedOf, variantLabel} from '../speed_data.js';
+import {signNote} from './notes.js';
+import {implementationLabel, isAnalytic, methodLabel, ratio, speedOf, variantLabel} from '../speed_data.js';
 
 const powerText = (x) => (Number.isInteger(Math.log10(x)) ? `10${superscript(Math.log10(x))}` : short(x));
 const madeOf = (c) =>
   [
-    c.implementation,
+    implementationLabel(c.implementation),
     c.precision === 'double' ? '' : c.precision,
     variantLabel(c.variant ?? ''),
     isAnalytic({method: c.method ?? ''}) ? '' : methodLabel(c.method)
   ]
     .filter(Boolean)
     .join(', ');
+
+const NOTE =
+  'Per scene and tolerance: the cheapest formulation, precision and method whose measured error stays below it. ' +
+  'All times here include the tangent, which a solver needs: kernel or transcription, as said. ' +
+  'The truth of a scene is one of the formulations at 50 digits, named in its row; where that formulation itself ' +
+  'is the choice (†) the error says nothing about modelling, and a body’s own truth is under “Who is right?”. ' +
+  'Margin: tolerance over error. Cost: relative to the most exact one of the scene. ' +
+  'Saved: what the scene does not need and is not computed.';
+
+/** Said in the cell of a choice that cannot lose. */
+const OWN = '† the truth’s own form: rounding, no modelling error';
 
 /** Cost, flops, and what is not computed as a share of the whole. */
 function cost(c) {
@@ -51,7 +64,8 @@ function cell(c, tolerance) {
       'span',
       {class: 'cost'},
       h('strong', {}, `${nanoseconds(c.ns)} ns`),
-      ` ${madeOf(c)}`,
+      ` ${madeOf(c)}, with tangent`,
+      isOwnTruth(c) ? h('span', {class: 'aside own'}, OWN) : null,
       h(
         'span',
         {class: 'aside'},
@@ -96,30 +110,24 @@ function notesOf(rows) {
 
 export function cheapestTable(results) {
   const rows = speedOf(results).cheapest;
-  const part = h('div', {class: 'part', id: 'cheapest'}, h('h3', {}, 'The cheapest sufficient model'));
-  account('cheapest', rows.length ? 'drawn' : 'empty');
-  if (!rows.length) {
-    part.append(
-      h('p', {class: 'empty'}, 'Not shown: the results name no cheapest sufficient model (speed.cheapest).')
-    );
-    return part;
-  }
+  if (!rows.length) return new Absent('the results name no cheapest sufficient model (speed.cheapest)');
   const titles = new Map((results.scenes ?? []).map((s) => [s.name, s.title]));
-  const tolerances = [...new Set(rows.map((c) => c.tolerance))].sort((a, b) => b - a);
-  const body = [...new Set(rows.map((c) => c.scene))].map((scene) =>
+  const {tolerances, scenes} = tableOf(rows);
+  const heads = ['scene', ...tolerances.map((t) => `to ${powerText(t)}`)];
+  const body = scenes.map(({scene, truth, cells}) =>
     h(
       'tr',
       {},
-      h('th', {scope: 'row'}, titles.get(scene) ?? scene.replaceAll('_', ' ')),
-      tolerances.map((tolerance) =>
-        cell(
-          rows.find((c) => c.scene === scene && c.tolerance === tolerance),
-          tolerance
-        )
-      )
+      h(
+        'th',
+        {scope: 'row'},
+        titles.get(scene) ?? scene.replaceAll('_', ' '),
+        truth ? h('span', {class: 'aside'}, 'truth: ', h('code', {}, truth), ' at 50 digits') : null
+      ),
+      cells.map((c, i) => cell(c, tolerances[i]))
     )
   );
-  part.append(
+  return [
     scrolling(
       h(
         'table',
@@ -130,19 +138,14 @@ export function cheapestTable(results) {
           h(
             'tr',
             {},
-            ['scene', ...tolerances.map((t) => `to ${powerText(t)}`)].map((t) => h('th', {scope: 'col'}, t))
+            heads.map((t) => h('th', {scope: 'col'}, t))
           )
         ),
         h('tbody', {}, body)
       ),
       'The cheapest sufficient model'
     ),
-    h(
-      'p',
-      {class: 'note'},
-      'Per scene and tolerance: the cheapest formulation, kind, precision and method whose measured error stays below it. Margin: tolerance over error. Cost: relative to the most exact one of the scene. Saved: what the scene does not need and is not computed.'
-    ),
-    notesOf(rows) ?? ''
-  );
-  return part;
+    h('p', {class: 'note'}, NOTE, ' ', signNote()),
+    notesOf(rows)
+  ];
 }

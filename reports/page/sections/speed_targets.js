@@ -1,11 +1,10 @@
 // Targets of this run, competitors in it, figures that others published, and instruction counts.
-import {kindLabel} from '../data.js';
+import {kindLabel} from '../accuracy_data.js';
 import {h, plainTable, scrolling} from '../dom.js';
 import {isNumber, nanoseconds, short} from '../format.js';
+import {Absent} from '../parts.js';
 import {isAnalytic, isCompetitor, ratio, speedOf, usable, whatLabel} from '../speed_data.js';
 
-const none = (text) => h('p', {class: 'empty'}, `Not shown: the results hold no ${text}.`);
-const part = (id, title, ...content) => h('div', {class: 'part', id}, h('h3', {}, title), content);
 const HELD = {at_least: 'at least', at_most: 'at most'};
 
 function targetRow(t) {
@@ -27,13 +26,11 @@ function targetRow(t) {
 
 export function targetsTable(results) {
   const {targets} = speedOf(results);
-  if (!targets.length) return part('targets', 'Targets', none('targets (speed.targets)'));
-  const head = ['target', 'this run', 'limit', ''].map((t, i) =>
+  if (!targets.length) return new Absent('the results hold no targets (speed.targets)');
+  const head = ['target', 'this run', 'limit', 'verdict'].map((t, i) =>
     h('th', {scope: 'col', class: i === 1 || i === 2 ? 'number' : null}, t)
   );
-  return part(
-    'targets',
-    'Targets',
+  return [
     scrolling(
       h(
         'table',
@@ -48,7 +45,7 @@ export function targetsTable(results) {
       {class: 'note'},
       `${targets.filter((t) => isNumber(t.value) && t.met).length} of ${targets.length} met. Ratios are of medians within this run.`
     )
-  );
+  ];
 }
 
 /** Ours of the same kind and output: the same formulation's kernel, else the invariant joint's; of a rotation our own exp or log. */
@@ -75,65 +72,55 @@ export function competitorsTable(results) {
   const timed = results.timings
     .filter(isCompetitor)
     .sort((a, b) => a.what.localeCompare(b.what) || a.ns - b.ns);
-  if (!timed.length) return part('competitors', title, none('timing of a competitor'));
+  if (!timed.length) return new Absent('no competitor was timed');
   const columns = [
     {text: 'competitor'},
     {text: 'of what'},
     ...['ns', 'ratio to ours', 'ours, ns', 'error'].map((text) => ({text, number: true}))
   ];
-  return part(
-    'competitors',
+  return plainTable(
     title,
-    plainTable(
-      title,
-      columns,
-      timed.map((t) => {
-        const own = ours(results, t);
-        const what = [
-          t.implementation === 'competitor' ? '' : t.formulation,
-          t.kind ? kindLabel(t.kind) : '',
-          whatLabel(t.what)
-        ]
-          .filter(Boolean)
-          .join(', ');
-        return [
-          h('code', {}, t.implementation === 'competitor' ? t.variant || t.formulation : t.implementation),
-          what,
-          t.wrong ? h('span', {title: t.message}, 'wrong') : nanoseconds(t.ns),
-          own && usable(t) ? ratio(t.ns / own.ns) : '–',
-          own ? h('span', {title: own.name}, nanoseconds(own.ns)) : '–',
-          short(t.error)
-        ];
-      })
-    )
+    columns,
+    timed.map((t) => {
+      const own = ours(results, t);
+      const what = [
+        t.implementation === 'competitor' ? '' : t.formulation,
+        t.kind ? kindLabel(t.kind) : '',
+        whatLabel(t.what)
+      ]
+        .filter(Boolean)
+        .join(', ');
+      return [
+        h('code', {}, t.implementation === 'competitor' ? t.variant || t.formulation : t.implementation),
+        what,
+        t.wrong ? h('span', {title: t.message}, 'wrong') : nanoseconds(t.ns),
+        own && usable(t) ? ratio(t.ns / own.ns) : '–',
+        own ? h('span', {title: own.name}, nanoseconds(own.ns)) : '–',
+        short(t.error)
+      ];
+    })
   );
 }
 
 export function publishedTable(results) {
   const {published} = speedOf(results);
-  if (!published.length)
-    return part('published', 'Published figures', none('published figures (speed.published)'));
+  if (!published.length) return new Absent('the results hold no published figures (speed.published)');
   const columns = [{text: 'program'}, {text: 'of what'}, {text: 'ns', number: true}];
   const origins = [...new Set(published.map((p) => `${p.machine}, ${p.date}: ${p.source}`))];
-  return part(
-    'published',
-    'Published figures',
+  return [
     plainTable(
       'Published figures',
       columns,
       published.map((p) => [`${p.program} ${p.version ?? ''}`.trim(), p.what, nanoseconds(p.ns)])
     ),
     h('p', {class: 'note'}, `Constants, never in a ratio of this run. ${origins.join('; ')}.`)
-  );
+  ];
 }
 
 export function instructionsTable(results) {
   const {instructions} = speedOf(results);
-  if (!instructions.length)
-    return part('instructions', 'Instructions', none('instruction counts (speed.instructions)'));
-  return part(
-    'instructions',
-    'Instructions',
+  if (!instructions.length) return new Absent('no instructions were counted (speed.instructions)');
+  return [
     plainTable(
       'Instructions',
       [{text: 'kernel'}, {text: 'per evaluation', number: true}],
@@ -144,5 +131,5 @@ export function instructionsTable(results) {
       {class: 'note'},
       'Counted by callgrind: free of the noise of times, to be compared from run to run.'
     )
-  );
+  ];
 }

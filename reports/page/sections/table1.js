@@ -1,6 +1,7 @@
 // Table 1 of the paper beside ours.
 import {h, scrolling} from '../dom.js';
 import {full, isNumber, short} from '../format.js';
+import {Absent} from '../parts.js';
 
 const kScene = 'c1_skewed_torque';
 const OUTPUTS = {theta_x: 'θx', theta_y: 'θy', theta_z: 'θz'};
@@ -55,15 +56,7 @@ function row(results, entry, erratumNumber) {
 
 export function table1(results) {
   const entries = results.paper?.table1 ?? [];
-  const section = h(
-    'section',
-    {'aria-labelledby': 'table1'},
-    h('h2', {id: 'table1'}, 'Table 1: the skewed torque, beside the print')
-  );
-  if (!entries.length) {
-    section.append(h('p', {class: 'empty'}, 'Not shown: the results hold no printed table (paper.table1).'));
-    return section;
-  }
+  if (!entries.length) return new Absent('the results hold no printed table (paper.table1)');
   const errata = [...new Set(entries.map((e) => e.erratum).filter(Boolean))];
   const columns = [...new Set(entries.map((e) => e.column))];
   const body = columns.map((column) =>
@@ -97,12 +90,12 @@ export function table1(results) {
     h(
       'tr',
       {},
-      ['column of the paper', '', 'printed, rad', 'ours, rad', 'ours − right', 'agreement'].map((t, i) =>
-        h('th', {scope: 'col', class: i > 1 && i < 5 ? 'number' : null}, t)
+      ['column of the paper', 'component', 'printed, rad', 'ours, rad', 'ours − right', 'agreement'].map(
+        (t, i) => h('th', {scope: 'col', class: i > 1 && i < 5 ? 'number' : null}, t)
       )
     )
   );
-  section.append(
+  return [
     h(
       'p',
       {class: 'note'},
@@ -116,6 +109,5 @@ export function table1(results) {
           errata.map((e, i) => h('li', {id: `erratum-${i + 1}`}, e))
         )
       : ''
-  );
-  return section;
+  ];
 }
