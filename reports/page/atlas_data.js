@@ -37,13 +37,16 @@ function seriesRow(formulation, xs, errors, {from = false, largest = Infinity} =
   };
 }
 
+/** A series without a point says nothing. */
+const hasPoints = (s) => s.x.length > 0;
+
 const defects = (results, what) =>
   (results.stability.defects ?? [])
-    .filter((s) => s.what === what)
+    .filter((s) => s.what === what && hasPoints(s))
     .map((s) => seriesRow(s.formulation, s.x, s.error));
 const conditioning = (results, what, options) =>
   (results.stability.range?.conditioning ?? [])
-    .filter((s) => s.what === what)
+    .filter((s) => s.what === what && hasPoints(s))
     .map((s) => seriesRow(s.formulation, s.x, s.error, options));
 
 /** One limit that no tolerance moves; x undefined: none. */
@@ -55,7 +58,7 @@ const limitRow = (formulation, x, largest, message) => ({
 
 function loops(results) {
   return (results.stability.energy?.loops ?? [])
-    .filter((l) => l.kind === 'angular')
+    .filter((l) => l.kind === 'angular' && l.points.length)
     .map((l) =>
       seriesRow(
         l.formulation,

@@ -16,7 +16,6 @@ expressionFunction('power10', (/** @type {number} */ x) => {
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 const config = {
-  aria: false, // the box speaks for its marks, thousands of which say nothing that its table does not
   background: 'transparent',
   font: FONT,
   view: {stroke: null},
@@ -105,9 +104,11 @@ export class Chart {
       logLevel: kErrorsOnly
     });
     this.view.initialize(this.box).tooltip(tooltip.call).hover().run();
+    const picture = this.box.querySelector('svg');
+    picture?.setAttribute('aria-hidden', 'true'); // the box speaks for the marks, of which there are thousands
     this.box.setAttribute('role', 'img');
     this.box.setAttribute('aria-label', this.label);
-    account(this.id, this.box.querySelector('svg') ? 'drawn' : 'empty');
+    account(this.id, picture ? 'drawn' : 'empty');
   }
 }
 

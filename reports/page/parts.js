@@ -130,9 +130,13 @@ export class Parts {
 
   /** One part after another, so that the page answers in between. */
   all() {
-    const [next] = this.list.filter((part) => !part.isDrawn);
-    document.documentElement.dataset.everything = next ? 'drawing' : 'drawn';
-    if (!next) return;
+    const {dataset, scrollHeight} = document.documentElement;
+    const next = this.list.find((part) => !part.isDrawn);
+    dataset.everything = next ? 'drawing' : 'drawn';
+    if (!next) {
+      dataset.height = String(scrollHeight);
+      return;
+    }
     next.draw();
     setTimeout(() => this.all());
   }

@@ -43,7 +43,16 @@ export const timing = (formulation, kind, rest = {}) => {
 
 /** A curve of a scene whose outputs grow linearly to `ends`, in four steps. */
 export const curve = (scene, formulation, columns, ends, rest = {}) => ({
-  ...{scene, formulation, xi: 0.5, columns, converged: true, outcome: 'converged', iterations: 8, residual: 0},
+  ...{
+    scene,
+    formulation,
+    xi: 0.5,
+    columns,
+    converged: true,
+    outcome: 'converged',
+    iterations: 8,
+    residual: 0
+  },
   rows: range(4).map((i) => ends.map((end) => (end * (i + 1)) / 4)),
   ...rest
 });
@@ -69,7 +78,14 @@ export function fixture() {
   return {
     schema: 'halfway-results',
     version: 1,
-    context: {machine: 'm', compiler: 'c', flags: 'f', commit: 'abc', date: '2026-01-01', build_type: 'Release'},
+    context: {
+      machine: 'm',
+      compiler: 'c',
+      flags: 'f',
+      commit: 'abc',
+      date: '2026-01-01',
+      build_type: 'Release'
+    },
     command: './halfway report',
     formulations: NAMES.map((name) => ({
       ...{name, stands_for: `law <${name}>`, needs_xi: false, probe_xi: 0.5, facts, potential_kinds: []}
