@@ -4,7 +4,8 @@ import {isNumber} from './format.js';
 
 /** @typedef {import('./data.js').Results} Results */
 /** @typedef {import('./results').Finding} Finding */
-/** @typedef {{load: number, phi: number | undefined, isWhole: boolean}} Reach  phi in degrees; whole: to the curve's end */
+/** Phi in degrees; whole: to the curve's end.
+ * @typedef {{load: number, phi: number | undefined, isWhole: boolean}} Reach */
 /** @typedef {{formulation: string, kind: string, study: string, unit: string, one: Reach, five: Reach, end: Reach,
  *   finding: Finding}} Range */
 

@@ -55,7 +55,8 @@ export const MARKS = [
 export function markOf(t) {
   if (isCompetitor(t)) return 'competitor';
   if (!isAnalytic(t)) return 'method';
-  if (t.variant !== '' && t.variant !== 'no_ends') return 'variant'; // joint points at the nodes: fewer operations, the same accuracy
+  // no_ends: joint points at the nodes, fewer operations, the same accuracy.
+  if (t.variant !== '' && t.variant !== 'no_ends') return 'variant';
   if (t.precision === 'float') return 'float';
   return MARKS.some((m) => m.key === t.implementation) ? t.implementation : 'kernel';
 }

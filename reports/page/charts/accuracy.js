@@ -150,14 +150,16 @@ export function accuracyFigure(results, kind) {
     state.error = 'numerical';
   const chart = new Chart(
     'accuracy',
-    'Error against time per evaluation, both logarithmic, one point per formulation and kind of joint. The table below it holds the same numbers.'
+    'Error against time per evaluation, both logarithmic, one point per formulation and kind of ' +
+      'joint. The table below it holds the same numbers.'
   );
   const note = h('figcaption', {'aria-live': 'polite'});
 
   const draw = () => {
     const {points, missing} = accuracyOf(results, state);
     const solid = state.error === 'solids';
-    const kinds = solid ? new Set(['linear_angular']) : state.kinds; // the only kind that a body with forces and moments has
+    // The only kind that a body with forces and moments has.
+    const kinds = solid ? new Set(['linear_angular']) : state.kinds;
     const shown = points.filter((p) => kinds.has(p.kind));
     legend.hidden = solid;
     solidChoice.hidden = !solid;

@@ -12,7 +12,6 @@ const MARKS = {
   [1e-12]: {color: HUE.magenta, shape: 'square'}
 };
 const ANY = {color: 'var(--ink)', shape: 'triangle-up'};
-const markOf = (tolerance) => MARKS[tolerance] ?? ANY;
 const labelOf = (tolerance) => TOLERANCES.find((t) => t.key === tolerance)?.label ?? 'any';
 
 const bound = (limit, from) =>
@@ -138,7 +137,8 @@ export function atlasFigure(results) {
     h(
       'figcaption',
       {},
-      'Each mark is the bound of what was measured to stay within the tolerance; pale at an edge: all that was tried is safe, paler: none is.'
+      'Each mark is the bound of what was measured to stay within the tolerance; pale at an ' +
+        'edge: all that was tried is safe, paler: none is.'
     )
   );
 }

@@ -219,7 +219,8 @@ export function basinsFigure(results) {
   if (!record?.maps?.length) return new Absent('the results hold no maps of Newton (stability.basins)');
   const loads = new Chart(
     'basins-loads',
-    'Map of a single Newton load step: direction of the moment across, its size upwards, colour for iterations and outcome.'
+    'Map of a single Newton load step: direction of the moment across, its size upwards, colour ' +
+      'for iterations and outcome.'
   );
   const starts = new Chart(
     'basins-starts',
@@ -269,7 +270,9 @@ export function basinsFigure(results) {
     h(
       'figcaption',
       {},
-      'The block of 4.1.2 under a fixed moment. Left: Newton from rest with the whole moment in one step, no damping; blue: it reaches the state that small load steps reach, in that many iterations; ',
+      'The block of 4.1.2 under a fixed moment. Left: Newton from rest with the whole moment in ' +
+        'one step, no damping; blue: it reaches the state that small load steps reach, in that ' +
+        'many iterations; ',
       'orange: in equilibrium, but elsewhere, or where the continuous branch has ended. ',
       `Right: what each start converges to under ${short(moment, 4)} N·m along C3’s load, analytic tangent; the equilibria by their rotation vectors, rad. `,
       `A run ends after ${record.most_iterations} iterations.`
@@ -278,7 +281,8 @@ export function basinsFigure(results) {
     h(
       'p',
       {class: 'note'},
-      'Safe step: the largest load up to which every smaller one of the grid reaches the continuous branch, in every direction, analytic tangent. Share: of the plane ',
+      'Safe step: the largest load up to which every smaller one of the grid reaches the ' +
+        'continuous branch, in every direction, analytic tangent. Share: of the plane ',
       `${record.grids[0].axes.join('–')}. `,
       'Order: of the error at 50 digits, with the factor of each iteration where it is linear.'
     )

@@ -3,19 +3,10 @@ import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, select, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, plural, short} from '../format.js';
-import {
-  ISAS,
-  isaLabel,
-  levelOf,
-  present,
-  speedOf,
-  usable,
-  variantLabel,
-  WHAT,
-  whatLabel
-} from '../speed_data.js';
+import {ISAS, isaLabel, present, WHAT} from '../speed_data.js';
 import {Absent} from '../parts.js';
 import {HUE} from '../palette.js';
+import {candidatesOf, firstState, limitsOf, outputLabel, seriesKey} from './batch_size_data.js';
 
 const HUES = {
   residual: HUE.blue,
@@ -28,37 +19,6 @@ const SHAPES = {sse2: 'circle', avx2: 'square', avx512: 'triangle-up'};
 const DASHES = {1: [1, 0], 2: [5, 3]};
 const hue = (output) => HUES[output] ?? OTHER[output.length % OTHER.length];
 const dash = (threads) => DASHES[threads] ?? [2, 3];
-const isCandidate = (t) => t.implementation === 'batch' && t.joints > 0 && usable(t);
-/** What comes out, and by which variant; batches are timed with joint points and frames at the nodes. */
-const outputOf = (t) =>
-  [t.what, t.variant === 'no_ends' ? '' : t.variant || 'with_ends'].filter(Boolean).join(' ');
-const outputLabel = (key) => {
-  const [what, ...variant] = key.split(' ');
-  return [whatLabel(what), ...variant.map(variantLabel)].join(', ');
-};
-
-const seriesKey = (t) => [t.output, t.isa, t.threads].join('/');
-
-/** Where the working set of a level is full: capacity over the bytes of one joint, per output shown. */
-function limitsOf(results, timings) {
-  const levels = speedOf(results).bandwidth.filter((b) => levelOf(b) && b.capacity > 0);
-  const sizes = new Map(timings.filter((t) => t.bytes > 0).map((t) => [t.output, t.bytes]));
-  const most = Math.max(...timings.map((t) => t.joints));
-  const places = levels.flatMap((b) =>
-    [...sizes].map(([output, bytes]) => ({
-      output,
-      level: levelOf(b),
-      joints: b.capacity / bytes,
-      label: `${levelOf(b)} full`
-    }))
-  );
-  return [
-    ...new Map(
-      places.filter((p) => p.joints >= 1 && p.joints <= most).map((p) => [`${p.output}/${p.level}`, p])
-    ).values()
-  ];
-}
-
 function spec(timings, limits) {
   const domain = (key) => [...new Set(timings.map((t) => t[key]))];
   const rows = timings.map((t) => ({
@@ -163,50 +123,6 @@ function tableOf(timings) {
   );
 }
 
-/** Only what has been timed at several sizes makes a line. */
-function candidatesOf(results) {
-  const all = results.timings
-    .filter(isCandidate)
-    .map((t) => ({...t, output: outputOf(t), threads: t.threads || 1}));
-  const sizes = (t) =>
-    new Set(
-      all
-        .filter(
-          (o) =>
-            o.formulation === t.formulation &&
-            o.kind === t.kind &&
-            o.precision === t.precision &&
-            o.output === t.output
-        )
-        .map((o) => o.joints)
-    ).size;
-  const several = new Map();
-  return all.filter((t) => {
-    const key = [t.formulation, t.kind, t.precision, t.output].join('/');
-    if (!several.has(key)) several.set(key, sizes(t) > 1);
-    return several.get(key);
-  });
-}
-
-/** First choice: the invariant joint, its residual and tangent, the widest instructions, all threads. */
-function firstState(all) {
-  const of = (key) => all.map((t) => t[key]);
-  const first = (key, order) => present(of(key), order)[0];
-  const isa = present(of('isa'), ISAS).at(-1);
-  const outputs = present(of('output'), Object.keys(WHAT)).slice(0, 2);
-  return {
-    formulation: first('formulation', ['invariant']),
-    kind: first(
-      'kind',
-      KINDS.map((k) => k.key)
-    ),
-    precision: first('precision', ['double', 'float']),
-    output: new Set(outputs),
-    isa: new Set([isa]),
-    threads: new Set(of('threads'))
-  };
-}
-
 function choices(all, state, changed) {
   const set = (key) => (value) => {
     state[key] = value;
@@ -285,7 +201,8 @@ export function batchSizeFigure(results) {
   if (!all.length) return new Absent('the results hold no batch that was timed at several sizes');
   const chart = new Chart(
     'batch-size',
-    'Time per joint against the number of joints in one call, both logarithmic. The table holds the same numbers.'
+    'Time per joint against the number of joints in one call, both logarithmic. The table holds ' +
+      'the same numbers.'
   );
   const state = firstState(all);
   const table = h('div');
@@ -308,7 +225,8 @@ export function batchSizeFigure(results) {
     h(
       'figcaption',
       {},
-      'All inputs and outputs in separate arrays; what no longer fits into a cache is read from and written to the next. ',
+      'All inputs and outputs in separate arrays; what no longer fits into a cache is read from ' +
+        'and written to the next. ',
       limitsOf(results, all).length ? 'Dotted: the joints whose data fill a cache.' : ''
     ),
     table

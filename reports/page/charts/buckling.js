@@ -115,7 +115,8 @@ export function bucklingFigure(results) {
     h(
       'figcaption',
       {},
-      'First zero of the tangent’s determinant under a moment about axis 1. Thick ticks: the values that the paper prints for that formulation. ',
+      'First zero of the tangent’s determinant under a moment about axis 1. Thick ticks: the ' +
+        'values that the paper prints for that formulation. ',
       none.length ? `Without a critical moment: ${byReason(none)}.` : ''
     ),
     errata.length ? h('ul', {class: 'note'}, errata) : null

@@ -151,7 +151,8 @@ export function criticalLoadsFigure(results) {
   if (!kind?.rows?.length) return new Absent('the results hold no kinds of instability (stability.kind)');
   const chart = new Chart(
     'critical-loads',
-    'Critical moment of each formulation as dots on a logarithmic axis, one row for each type of moment; filled for divergence, hollow for flutter.'
+    'Critical moment of each formulation as dots on a logarithmic axis, one row for each type of ' +
+      'moment; filled for divergence, hollow for flutter.'
   );
   const box = h('div');
   const state = {axis: '1', body: kind.bodies[0].name, moments: SHOWN_FIRST};
@@ -199,8 +200,11 @@ export function criticalLoadsFigure(results) {
     h(
       'figcaption',
       {},
-      'The block of C3 turned about one axis. Filled: divergence, a frequency falls to zero; hollow: flutter, two frequencies meet and the motion grows. Pale: comes after another instability. ',
-      'Flutter depends on the inertia of the body, divergence does not. “none” is said up to π, or up to where the path ends.'
+      'The block of C3 turned about one axis. Filled: divergence, a frequency falls to zero; ' +
+        'hollow: flutter, two frequencies meet and the motion grows. Pale: comes after another ' +
+        'instability. ',
+      'Flutter depends on the inertia of the body, divergence does not. “none” is said up to π, ' +
+        'or up to where the path ends.'
     ),
     box
   );

@@ -121,7 +121,8 @@ export function criticalModesFigure(results) {
     h(
       'figcaption',
       {},
-      'Small motions about axis 1 of the block of C3, three equal inertias of 1 kg·m²: below zero the equilibrium diverges, circles mark flutter. Cut off at 2000 N·m.'
+      'Small motions about axis 1 of the block of C3, three equal inertias of 1 kg·m²: below ' +
+        'zero the equilibrium diverges, circles mark flutter. Cut off at 2000 N·m.'
     )
   );
 }

@@ -153,7 +153,8 @@ export function digitsFigure(results) {
     h(
       'figcaption',
       {},
-      'Worst error of each decade of φ, drawn at its middle, against 50 digits; below half a unit of rounding at that floor. Ranges next to π are one point at π.'
+      'Worst error of each decade of φ, drawn at its middle, against 50 digits; below half a ' +
+        'unit of rounding at that floor. Ranges next to π are one point at π.'
     ),
     panels.table
   );

@@ -85,7 +85,8 @@ export function energyFigure(results) {
   if (!energy?.runs?.length) return new Absent('the results hold no bodies in motion (stability.energy)');
   const chart = new Chart(
     'energy-runs',
-    'Largest relative energy change so far against the number of periods, one line per formulation, both axes logarithmic.'
+    'Largest relative energy change so far against the number of periods, one line per ' +
+      'formulation, both axes logarithmic.'
   );
   const panel = new RowsPanel(chart, energy.runs, runsSpec, driftTable);
   const of = (scenario) => energy.runs.filter((r) => r.scenario === scenario);
@@ -106,7 +107,8 @@ export function energyFigure(results) {
       'figcaption',
       {},
       `Symplectic splitting of order ${order}, ${steps} steps in the fastest period. With a potential the change is the integrator’s own and stays bounded; without one it is the joint’s: kinetic energy and the law’s own. `,
-      'Of one body on a clamped joint it wanders within bounds; of two free bodies, whose motion is chaotic, it grows: a cross marks where a run had to end.'
+      'Of one body on a clamped joint it wanders within bounds; of two free bodies, whose motion ' +
+        'is chaotic, it grows: a cross marks where a run had to end.'
     ),
     panel.table
   );

@@ -63,7 +63,8 @@ export function energyLoopsFigure(results) {
     return new Absent('the results hold no loops of poses (stability.energy.loops)');
   const chart = new Chart(
     'energy-loops',
-    'Net work round a closed loop over the turnover against the amplitude of the loop, one line per formulation, both axes logarithmic.'
+    'Net work round a closed loop over the turnover against the amplitude of the loop, one line ' +
+      'per formulation, both axes logarithmic.'
   );
   const panel = new RowsPanel(chart, energy.loops, loopsSpec, () => slopeTable(energy.loops));
   const kinds = [...new Set(energy.loops.map((l) => l.kind))];
@@ -83,7 +84,9 @@ export function energyLoopsFigure(results) {
     h(
       'figcaption',
       {},
-      'A generic loop of poses, loads in double. A conservative joint shows rounding alone, and at the widest loops what the quadrature leaves: there they pass the singular angle of some measures. The orders are held at 50 digits by loop_order.'
+      'A generic loop of poses, loads in double. A conservative joint shows rounding alone, and ' +
+        'at the widest loops what the quadrature leaves: there they pass the singular angle of ' +
+        'some measures. The orders are held at 50 digits by loop_order.'
     ),
     panel.table
   );

@@ -10,7 +10,8 @@ import {Absent} from '../parts.js';
 export function loopWorkFigure(results) {
   const chart = new Chart(
     'loop-work',
-    'Slope of the loop work in the amplitude, per formulation, for formulations that do net work round a closed loop.'
+    'Slope of the loop work in the amplitude, per formulation, for formulations that do net work ' +
+      'round a closed loop.'
   );
   const measured = (property) =>
     results.findings.filter(
@@ -114,7 +115,8 @@ export function loopWorkFigure(results) {
     h(
       'figcaption',
       {},
-      'A joint without a potential gains or loses energy round a closed loop of poses; the pale bar is the band in which the slope is held. ',
+      'A joint without a potential gains or loses energy round a closed loop of poses; the pale ' +
+        'bar is the band in which the slope is held. ',
       conservative.length
         ? `No work beyond rounding, angular and linear/angular: ${conservative.join(', ')}.`
         : ''

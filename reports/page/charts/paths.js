@@ -211,7 +211,8 @@ function endTable(results, paths) {
       {text: 'end'}
     ],
     rows,
-    'second 1+, 1-: the halves of the path that crosses the primary one at its first branching; shortened: steps tried and refused'
+    'second 1+, 1-: the halves of the path that crosses the primary one at its first branching; ' +
+      'shortened: steps tried and refused'
   );
 }
 
@@ -234,7 +235,8 @@ function stepTable(results, paths) {
     'Load stepping',
     [{text: 'formulation'}, {text: 'solver'}, ...counts.map((n) => ({text: `${n} steps`}))],
     rows,
-    'Load stepping in whole steps, N·m: ✓ all states on the continuous path; off: from this load on, states that lie elsewhere'
+    'Load stepping in whole steps, N·m: ✓ all states on the continuous path; off: from this load ' +
+      'on, states that lie elsewhere'
   );
 }
 
@@ -243,7 +245,8 @@ export function pathsFigure(results) {
   if (!paths?.curves?.length) return new Absent('the results hold no equilibrium paths (stability.paths)');
   const chart = new Chart(
     'paths',
-    'Rotation over the moment along the equilibrium paths of each formulation; stable parts solid, unstable dashed; folds and branchings marked.'
+    'Rotation over the moment along the equilibrium paths of each formulation; stable parts ' +
+      'solid, unstable dashed; folds and branchings marked.'
   );
   const state = {load: 'skewed', output: 'phi', only: null};
   const draw = () =>
@@ -286,8 +289,11 @@ export function pathsFigure(results) {
     h(
       'figcaption',
       {},
-      'Equilibria followed by arc length from rest, through folds and, about axis 1, onto both halves of the path that branches off. Unstable: the tangent has a real eigenvalue below zero. ',
-      'A change of sign is accepted only when the singular point is found at 50 digits, so that a step cannot change path unnoticed.'
+      'Equilibria followed by arc length from rest, through folds and, about axis 1, onto both ' +
+        'halves of the path that branches off. Unstable: the tangent has a real eigenvalue below ' +
+        'zero. ',
+      'A change of sign is accepted only when the singular point is found at 50 digits, so that ' +
+        'a step cannot change path unnoticed.'
     ),
     h('details', {class: 'more'}, h('summary', {}, 'Singular points'), eventTable(results, paths)),
     h('details', {class: 'more'}, h('summary', {}, 'How each path ends'), endTable(results, paths)),

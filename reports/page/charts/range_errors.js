@@ -103,7 +103,8 @@ function errorSpec(rows, what, only) {
 function errorChart(range) {
   const chart = new Chart(
     'range-errors',
-    'Relative error against 50 digits over rotation, stiffness ratio, drift or distance, one line per formulation, logarithmic.'
+    'Relative error against 50 digits over rotation, stiffness ratio, drift or distance, one ' +
+      'line per formulation, logarithmic.'
   );
   const offered = SERIES.filter((s) => errorRows(range, s.key).length);
   const state = {what: offered[0].key, only: null};
@@ -145,7 +146,8 @@ export function digitsLostFigure(results) {
     h(
       'figcaption',
       {},
-      'Loads or equilibria in double (or float) against the same input at 50 digits. A drifted matrix against the ',
+      'Loads or equilibria in double (or float) against the same input at 50 digits. A drifted ' +
+        'matrix against the ',
       `nearest rotation: reading a quaternion off it takes ${range.projection.quaternion} flops, a polar step `,
       `${range.projection.polar}.`
     ),

@@ -27,7 +27,8 @@ export function crossingTable(range, breaksOf) {
       {text: 'the line breaks at'}
     ],
     rows,
-    'What the moment does across an angle, the pose alone being known: limits from both sides at 50 digits. K has the largest stiffness |K|.'
+    'What the moment does across an angle, the pose alone being known: limits from both sides at ' +
+      '50 digits. K has the largest stiffness |K|.'
   );
 }
 

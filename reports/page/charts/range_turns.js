@@ -80,7 +80,8 @@ function turnSpec(rows, only) {
 function turnChart(range) {
   const chart = new Chart(
     'range-turns',
-    'Moment about the axis over the relative rotation from 0 to 3 pi, one line per formulation; jumps break the lines.'
+    'Moment about the axis over the relative rotation from 0 to 3 pi, one line per formulation; ' +
+      'jumps break the lines.'
   );
   const rows = [
     ...range.curves.flatMap((c) => turnRows(c, '')),
@@ -124,7 +125,8 @@ export function turnsFigure(results) {
       'figcaption',
       {},
       `Law of ${range.stiffness.join(', ')} N·m/rad. A pose alone tells the rotation vector up to π: laws on it `,
-      'jump there, and no moment is left of a full turn. Dotted: the unwrapped vector, which remembers the path.'
+      'jump there, and no moment is left of a full turn. Dotted: the unwrapped vector, which ' +
+        'remembers the path.'
     ),
     folded(
       'Across π/2, π, 3π/2 and 2π',

@@ -56,7 +56,8 @@ function spec(points, {flat, slanted}) {
     legend: null,
     scale: {domain: whats, range: whats.map((w) => SHAPES[w] ?? 'cross')}
   };
-  const halo = {stroke: 'var(--paper)', strokeWidth: 4, strokeJoin: 'round'}; // first: a line behind the label stays legible
+  // First: a line behind the label stays legible.
+  const halo = {stroke: 'var(--paper)', strokeWidth: 4, strokeJoin: 'round'};
   const text = (rows, end, align, ink) =>
     [halo, {color: ink}].map((look) => ({
       data: {values: rows},
@@ -155,7 +156,8 @@ export function rooflineFigure(results) {
   if (!all.length) return new Absent('the results hold no batch with counted flops');
   const chart = new Chart(
     'roofline',
-    'Flops per ns against flops per byte of each batch kernel, both logarithmic, under the measured peaks and bandwidths. The table holds the same numbers.'
+    'Flops per ns against flops per byte of each batch kernel, both logarithmic, under the ' +
+      'measured peaks and bandwidths. The table holds the same numbers.'
   );
   const speed = speedOf(results);
   const kinds = KINDS.filter((k) => all.some((t) => t.kind === k.key));
@@ -203,7 +205,9 @@ export function rooflineFigure(results) {
     h(
       'figcaption',
       {},
-      'Flops are counted per evaluation, peaks and bandwidths measured in the same process, one thread. Limit: the least of the peak of the instruction set and the largest bandwidth of the cache, or of the memory, times flops per byte. ',
+      'Flops are counted per evaluation, peaks and bandwidths measured in the same process, one ' +
+        'thread. Limit: the least of the peak of the instruction set and the largest bandwidth of ' +
+        'the cache, or of the memory, times flops per byte. ',
       speed.peaks.length ? '' : 'No peak was measured in this run.'
     ),
     table

@@ -14,7 +14,8 @@ export const inMemory = (t) => t.joints >= kInMemory;
 const peakOf = (speed, t) =>
   speed.peaks.find((p) => p.isa === t.isa && p.precision === t.precision)?.flops_per_ns;
 
-/** Per kernel its fastest size in cache, or its largest in memory; the limit of its place: peak, or bandwidth times flops per byte. */
+/** Per kernel its fastest size in cache, or its largest in memory; the limit of its place: peak, or bandwidth
+ * times flops per byte. */
 export function kernelsOf(timings, speed, {kind, precision, place}) {
   const band = Math.max(
     0,
@@ -54,7 +55,8 @@ export function kernelsOf(timings, speed, {kind, precision, place}) {
     .sort((a, b) => ISAS.indexOf(a.isa) - ISAS.indexOf(b.isa) || (b.of_roof ?? 0) - (a.of_roof ?? 0));
 }
 
-/** The peaks, and the bandwidths up to the highest peak; `space`: how far they reach beyond the points, for their labels. */
+/** The peaks, and the bandwidths up to the highest peak; `space`: how far they reach beyond the points, for
+ * their labels. */
 export function linesOf(speed, points, precision, space) {
   const peaks = speed.peaks.filter((p) => p.precision === precision && p.flops_per_ns > 0);
   const xs = points.map((p) => p.intensity),

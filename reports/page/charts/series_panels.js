@@ -5,7 +5,8 @@ import {phiSpec, rowsOverPhi, rowsOverRanges, timeSpec} from './phi_lines.js';
 
 const timesOf = (series) => series.map((s) => ({series: s.key, label: s.label, ns: s.timing.ns}));
 
-/** id: of the charts; noun: what a series is; looksOf(series): key -> {color, dash}; over: 'phi' or 'ranges'; log, title: of the time axis. */
+/** id: of the charts; noun: what a series is; looksOf(series): key -> {color, dash}; over: 'phi' or 'ranges';
+ * log, title: of the time axis. */
 export class SeriesPanels {
   constructor({id, noun, looksOf, tableOf, over, log = false, title}) {
     this.noun = noun;

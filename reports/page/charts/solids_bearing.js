@@ -132,7 +132,8 @@ export function bearingChart(bearing) {
     return h('p', {class: 'empty'}, 'No scan over the width of a hole (solids.bearing.scans).');
   const chart = new Chart(
     'solids-bearing',
-    'ξ of the bearing against the width of its hole, one line per material law, with the printed value as a dashed line.'
+    'ξ of the bearing against the width of its hole, one line per material law, with the printed ' +
+      'value as a dashed line.'
   );
   const draw = (name) => chart.draw(spec(rowsOf(bearing, name), bearing.printed_xi));
   const options = names.map((key) => ({key, label: familyLabel(familyNamed(bearing, key))}));

@@ -1,7 +1,7 @@
 // Accuracy against cost of the 3D truth itself: elements and meshes, and CalculiX on the same meshes.
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {choice, h, swatch} from '../dom.js';
-import {full, isNumber, seconds, short} from '../format.js';
+import {full, isNumber, seconds} from '../format.js';
 import {bodyLabel, ELEMENTS, elementLook, lawLook, LAWS, paperXi} from '../solids_data.js';
 import {Absent} from '../parts.js';
 
@@ -146,7 +146,8 @@ export function costFigure(solids) {
   if (!bodies.length) return new Absent('the results hold no run over meshes (solids.bodies[].runs)');
   const chart = new Chart(
     'solids-cost',
-    'Error of ξ or of the compliances against processor time, both logarithmic, one line per element over its meshes.'
+    'Error of ξ or of the compliances against processor time, both logarithmic, one line per ' +
+      'element over its meshes.'
   );
   const state = {body: firstBody(solids), what: 'xi', law: kCalculixLaw};
   const legend = h('p', {class: 'keys'});
@@ -207,7 +208,8 @@ export function costFigure(solids) {
     h(
       'figcaption',
       {},
-      'Error: distance to the value extrapolated from the meshes of hex20. Dotted: the error bar of that value; ',
+      'Error: distance to the value extrapolated from the meshes of hex20. Dotted: the error bar ' +
+        'of that value; ',
       'what is nearer is drawn there, hollow. Ours: one linear analysis with the couplings of all laws; ',
       'CalculiX: one linear and several nonlinear runs, St. Venant–Kirchhoff only.'
     )

@@ -142,7 +142,9 @@ export function tangentFigure(results) {
     h(
       'figcaption',
       {},
-      'Worst error of the poses of each range of φ, which is named by its lower end and narrows towards π. A difference whose step crosses π takes two branches of the logarithm. Times analytic: of the same implementation.'
+      'Worst error of the poses of each range of φ, which is named by its lower end and narrows ' +
+        'towards π. A difference whose step crosses π takes two branches of the logarithm. Times ' +
+        'analytic: of the same implementation.'
     )
   );
 }

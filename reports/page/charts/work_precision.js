@@ -27,7 +27,8 @@ const CAPTION = {
   numerical: 'Worst error over all timed poses, against 50 digits of the same formula.',
   range: 'Worst error of the poses in one range of φ, against 50 digits of the same formula.',
   modelling:
-    'How far the formulation is from the truth of the scene, at the time of its cheapest shown implementation whose numerical error does not exceed that.'
+    'How far the formulation is from the truth of the scene, at the time of its cheapest shown ' +
+    'implementation whose numerical error does not exceed that.'
 };
 
 function tableOf(points, onFront, only) {
@@ -77,7 +78,8 @@ function caption(points, view) {
         ? 'Hollow: below the uncertainty of the truth, drawn there. '
         : 'Hollow: below half a unit of rounding, drawn there. '
       : '',
-    'A batch stands at its fastest size on one thread. One click on a name isolates a formulation, a second one returns.'
+    'A batch stands at its fastest size on one thread. One click on a name isolates a ' +
+      'formulation, a second one returns.'
   ];
 }
 
@@ -103,7 +105,8 @@ export function workPrecisionFigure(results, kind) {
   if (!kinds.length) return new Absent('the results hold no timing of a joint');
   const chart = new Chart(
     'work-precision',
-    'Error against time per joint, both logarithmic, one mark per implementation. The table holds the same numbers.'
+    'Error against time per joint, both logarithmic, one mark per implementation. The table ' +
+      'holds the same numbers.'
   );
   const marks = marksIn(results);
   /** @type {any} */

@@ -118,7 +118,8 @@ export function headline(results, kind) {
   const choice = choiceOf(results, kind);
   const words = choice
     ? answer(choice, kind)
-    : 'No modelling error was measured in this run: the chart shows the numerical error of each formulation against its cost.';
+    : 'No modelling error was measured in this run: the chart shows the numerical error of each ' +
+      'formulation against its cost.';
   const truest = choice ? [choice.best, ...choice.also].map((p) => p.formulation) : [];
   return h(
     'section',

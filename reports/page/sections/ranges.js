@@ -71,7 +71,8 @@ export function rangesTable(results) {
     h(
       'p',
       {class: 'note'},
-      'Load, and rotation of the 3D body in brackets, up to which the coupling θ₂ is within 1 % or 5 % of the body’s; ',
+      'Load, and rotation of the 3D body in brackets, up to which the coupling θ₂ is within 1 % ' +
+        'or 5 % of the body’s; ',
       '0: not even at its first load; ≥: to the end of the 3D curve. ',
       studies.map((s) => limitOf(ranges, s)).join(' '),
       ' ',

@@ -35,7 +35,8 @@ export function bodiesPart(solids) {
     h(
       'p',
       {class: 'statement'},
-      'Geometrically nonlinear finite elements with rigid end faces, extrapolated over meshes: the reference that ',
+      'Geometrically nonlinear finite elements with rigid end faces, extrapolated over meshes: ' +
+        'the reference that ',
       'the formulations are held against. ',
       certainty(solids)
     ),

@@ -131,7 +131,8 @@ export function bearingPart(solids) {
     h(
       'p',
       {class: 'note'},
-      'Radii of the two bowls; extent: distance of the plane cut from the outer pole, or angle of the conical cut; ',
+      'Radii of the two bowls; extent: distance of the plane cut from the outer pole, or angle ' +
+        'of the conical cut; ',
       'hole: radius or angle. Fitted by least squares to the four compliances and the joint point.'
     ),
     xiTable(solids.bearing),

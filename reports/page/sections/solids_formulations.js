@@ -60,7 +60,9 @@ export function formulationErrors(results) {
   const note = h(
     'p',
     {class: 'note'},
-    'Relative error of the second-order couplings, the motion by the product of two loads, of a linear/angular joint that has the body’s own compliance. 1: as far off as a joint without any; a free ξ is the best one. T: time of the transcription, where there is no kernel. ',
+    'Relative error of the second-order couplings, the motion by the product of two loads, of a ' +
+      'linear/angular joint that has the body’s own compliance. 1: as far off as a joint without ' +
+      'any; a free ξ is the best one. T: time of the transcription, where there is no kernel. ',
     'As a picture: ',
     h('a', {href: '#accuracy'}, 'Accuracy against speed'),
     ', error “3D bodies”. –: left out; the reason is under ',

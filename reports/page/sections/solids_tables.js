@@ -120,7 +120,9 @@ export function printedTables(results, solids) {
     h(
       'p',
       {class: 'note'},
-      'Compliances in m/N and rad/(N m). The paper’s kind of mesh, hexahedra with incompatible modes, reproduces the print; the last column is what that mesh is off from the converged value. ',
+      'Compliances in m/N and rad/(N m). The paper’s kind of mesh, hexahedra with incompatible ' +
+        'modes, reproduces the print; the last column is what that mesh is off from the converged ' +
+        'value. ',
       '±: grid convergence over the meshes of hex20. ',
       remarks(results, solids).join(' ')
     )

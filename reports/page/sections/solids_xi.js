@@ -158,8 +158,11 @@ export function xiTable(results, solids) {
     h(
       'p',
       {class: 'note'},
-      'ξ is a second-order quantity: it depends on the law beyond small strains and on which face is clamped. Best: least squares over the group; ',
-      'remains: the share of the second-order couplings that no ξ represents. Over all three pairs of moments the best ξ is 1/2 for every law with a potential, whatever the body: what is left is one cubic term c θ₁θ₂θ₃ of the potential, and no ξ can take part of it. ',
+      'ξ is a second-order quantity: it depends on the law beyond small strains and on which ' +
+        'face is clamped. Best: least squares over the group; ',
+      'remains: the share of the second-order couplings that no ξ represents. Over all three ' +
+        'pairs of moments the best ξ is 1/2 for every law with a potential, whatever the body: ' +
+        'what is left is one cubic term c θ₁θ₂θ₃ of the potential, and no ξ can take part of it. ',
       halves(solids).join(' ')
     ),
     pairs(solids)

@@ -48,7 +48,8 @@ export function targetsTable(results) {
   ];
 }
 
-/** Ours of the same kind and output: the same formulation's kernel, else the invariant joint's; of a rotation our own exp or log. */
+/** Ours of the same kind and output: the same formulation's kernel, else the invariant joint's; of a rotation
+ * our own exp or log. */
 function ours(results, t) {
   const same = results.timings.filter(
     (o) =>

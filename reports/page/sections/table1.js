@@ -99,7 +99,8 @@ export function table1(results) {
     h(
       'p',
       {class: 'note'},
-      'K = diag(1, 10, 100) N·m/rad under m = (0, sin 0.01, cos 0.01) N·m. The difference is to the print, or to its correction where an erratum is marked †.'
+      'K = diag(1, 10, 100) N·m/rad under m = (0, sin 0.01, cos 0.01) N·m. The difference is to ' +
+        'the print, or to its correction where an erratum is marked †.'
     ),
     scrolling(h('table', {}, head, body), 'Table 1'),
     errata.length

@@ -14,7 +14,8 @@ test('the tests’ own results satisfy the schema', () => {
 });
 
 test('a field that is missing or of another type does not', () => {
-  const {timings: _, ...without} = fixture();
+  const without = fixture();
+  delete without.timings;
   assert.equal(holds(without), false);
   const wrong = fixture();
   wrong.findings[0].value = 'NaN';
