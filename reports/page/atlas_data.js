@@ -1,5 +1,5 @@
 // The failure atlas: for each way to fail, how far each formulation is safe, and what a user is told beyond.
-import {isNumber, short} from './format.js';
+import {isNumber, percent, short} from './format.js';
 
 export const TOLERANCES = [
   {key: 1e-3, label: '10⁻³'},
@@ -40,12 +40,14 @@ function seriesRow(formulation, xs, errors, {from = false, largest = Infinity} =
 /** A series without a point says nothing. */
 const hasPoints = (s) => s.x.length > 0;
 
+/** @param {import('./data.js').Results} results */
 const defects = (results, what) =>
-  (results.stability.defects ?? [])
+  (results.stability?.defects ?? [])
     .filter((s) => s.what === what && hasPoints(s))
     .map((s) => seriesRow(s.formulation, s.x, s.error));
-const conditioning = (results, what, options) =>
-  (results.stability.range?.conditioning ?? [])
+/** @param {import('./data.js').Results} results */
+const conditioning = (results, what, options = {}) =>
+  (results.stability?.range?.conditioning ?? [])
     .filter((s) => s.what === what && hasPoints(s))
     .map((s) => seriesRow(s.formulation, s.x, s.error, options));
 
@@ -56,8 +58,9 @@ const limitRow = (formulation, x, largest, message) => ({
   limits: [isNumber(x) ? {x} : {all: true, x: largest}]
 });
 
+/** @param {import('./data.js').Results} results */
 function loops(results) {
-  return (results.stability.energy?.loops ?? [])
+  return (results.stability?.energy?.loops ?? [])
     .filter((l) => l.kind === 'angular' && l.points.length)
     .map((l) =>
       seriesRow(
@@ -68,16 +71,19 @@ function loops(results) {
     );
 }
 
-/** The first of half a turn, or of a pole on the way, about any axis. */
+/** The first of half a turn, or of a pole on the way, about any axis.
+ * @param {import('./data.js').Results} results
+ */
 function halfTurns(results) {
-  const names = [...new Set((results.stability.range?.large_rotation ?? []).map((l) => l.formulation))];
+  const turns = results.stability?.range?.large_rotation ?? [];
+  const names = [...new Set(turns.map((l) => l.formulation))];
   return names.map((formulation) => {
-    const found = results.stability.range.large_rotation
+    const found = turns
       .filter((l) => l.formulation === formulation)
       .flatMap((l) =>
         l.crossings
-          .filter((c) => c.behaviour === 'jump' || c.behaviour === 'pole')
-          .map((c) => ({...c, axis: l.axis}))
+          .filter((c) => isNumber(c.phi) && ['jump', 'pole'].includes(c.behaviour))
+          .map((c) => ({...c, phi: Number(c.phi), axis: l.axis}))
       )
       .sort((a, b) => a.phi - b.phi)[0];
     return limitRow(
@@ -91,9 +97,11 @@ function halfTurns(results) {
   });
 }
 
-/** The first singular point of the straight path, or what ended it. */
+/** The first singular point of the straight path, or what ended it.
+ * @param {import('./data.js').Results} results
+ */
 function firstSingular(results) {
-  const {curves = [], columns = []} = results.stability.paths ?? {};
+  const {curves = [], columns = []} = results.stability?.paths ?? {};
   const load = columns.indexOf('factor');
   const straight = curves.filter((c) => c.load === 'straight');
   const endOf = (c) => c.points.at(-1)?.[load];
@@ -107,25 +115,29 @@ function firstSingular(results) {
     });
 }
 
+/** @param {import('./data.js').Results} results */
 function newtonSteps(results) {
-  const {maps = [], grids = []} = results.stability.basins ?? {};
+  const {maps = [], grids = []} = results.stability?.basins ?? {};
   const grid = grids.find((g) => g.unit !== 'rad') ?? grids[0];
   return maps
     .filter((m) => m.grid === grid?.name && m.tangent === 'analytic')
     .map((m) =>
       limitRow(
         m.formulation,
-        m.safe_step < grid.largest ? m.safe_step : undefined,
+        isNumber(m.safe_step) && m.safe_step < grid.largest ? m.safe_step : undefined,
         grid.largest,
-        `${Math.round(100 * m.share)} % of the map converges to the continuous path`
+        `${percent(m.share)} of the map converges to the continuous path`
       )
     );
 }
 
+/** @param {import('./data.js').Results} results */
 const refusal = (results, prefix) =>
-  (results.stability.range?.refusals ?? []).find((r) => r.what.startsWith(prefix))?.says || 'none';
+  (results.stability?.range?.refusals ?? []).find((r) => r.what.startsWith(prefix))?.says || 'none';
 
-/** Every way to fail: rows with the bound of the safe range for each tolerance. */
+/** Every way to fail: rows with the bound of the safe range for each tolerance.
+ * @param {import('./data.js').Results} results
+ */
 export function failuresOf(results) {
   if (!results.stability) return [];
   return [

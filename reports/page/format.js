@@ -46,6 +46,11 @@ export function short(x, digits = 2) {
  */
 export const full = (x) => (isNumber(x) ? String(x) : '–');
 
+/** A share in per cent.
+ * @param {unknown} x
+ */
+export const percent = (x, digits = 2) => (isNumber(x) ? `${short(100 * x, digits)} %` : '–');
+
 /** @param {unknown} x */
 export const nanoseconds = (x) => (isNumber(x) ? (x < 10 ? x.toFixed(1) : x.toFixed(0)) : '–');
 

@@ -31,7 +31,9 @@ export const GROUPS = [
   {key: 'all', label: 'all loads'}
 ];
 
-/** Every list is there, possibly empty. */
+/** Every list is there, possibly empty.
+ * @param {import('./data.js').Results} results
+ */
 export function solidsOf(results) {
   const s = results.solids ?? {};
   return {
@@ -78,6 +80,3 @@ export function printedDigits(x, digits = 6) {
   const [mantissa, exponent] = x.toExponential(digits - 1).split('e');
   return `${mantissa.replace('-', '−')}·10${superscript(Number(exponent))}`;
 }
-
-/** A share in per cent. */
-export const percent = (x, digits = 2) => (isNumber(x) ? `${short(100 * x, digits)} %` : '–');

@@ -17,7 +17,9 @@ export const isPlain = (t) => t.precision === 'double' && t.variant === '';
 export const isAnalytic = (t) => t.method === '' || t.method === 'analytic';
 
 const LISTS = ['peaks', 'bandwidth', 'targets', 'published', 'cheapest', 'instructions'];
-/** Every list is there, possibly empty. */
+/** Every list is there, possibly empty.
+ * @param {import('./data.js').Results} results
+ */
 export const speedOf = (results) => Object.fromEntries(LISTS.map((key) => [key, results.speed?.[key] ?? []]));
 
 /** The cache that a bandwidth is of, 'L1' from read_l1; undefined: the memory. */

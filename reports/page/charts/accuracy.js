@@ -136,7 +136,9 @@ function footnote(points, missing, error, implementation) {
   ];
 }
 
-/** The figure; `kind` is the kind shown first. */
+/** The figure; `kind` is the kind shown first.
+ * @param {import('../data.js').Results} results
+ */
 export function accuracyFigure(results, kind) {
   const views = results.solidViews();
   const state = {

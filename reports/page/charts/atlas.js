@@ -123,6 +123,7 @@ function panel(failure) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function atlasFigure(results) {
   const failures = failuresOf(results);
   if (!failures.length) return new Absent('the results hold no failures (stability)');

@@ -213,7 +213,9 @@ function drawStarts(chart, record, state) {
   else chart.say('No start converges.');
 }
 
-/** results.stability.basins: the record of the writer stability_basins. */
+/** results.stability.basins: the record of the writer stability_basins.
+ * @param {import('../data.js').Results} results
+ */
 export function basinsFigure(results) {
   const record = results.stability?.basins;
   if (!record?.maps?.length) return new Absent('the results hold no maps of Newton (stability.basins)');

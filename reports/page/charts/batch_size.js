@@ -196,6 +196,7 @@ function legend(all, state, changed) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function batchSizeFigure(results) {
   const all = candidatesOf(results);
   if (!all.length) return new Absent('the results hold no batch that was timed at several sizes');

@@ -13,7 +13,9 @@ export const outputLabel = (key) => {
 
 export const seriesKey = (t) => [t.output, t.isa, t.threads].join('/');
 
-/** Where the working set of a level is full: capacity over the bytes of one joint, per output shown. */
+/** Where the working set of a level is full: capacity over the bytes of one joint, per output shown.
+ * @param {import('../data.js').Results} results
+ */
 export function limitsOf(results, timings) {
   const levels = speedOf(results).bandwidth.filter((b) => levelOf(b) && b.capacity > 0);
   const sizes = new Map(timings.filter((t) => t.bytes > 0).map((t) => [t.output, t.bytes]));
@@ -33,7 +35,9 @@ export function limitsOf(results, timings) {
   ];
 }
 
-/** Only what has been timed at several sizes makes a line. */
+/** Only what has been timed at several sizes makes a line.
+ * @param {import('../data.js').Results} results
+ */
 export function candidatesOf(results) {
   const all = results.timings
     .filter(isCandidate)

@@ -1,25 +1,27 @@
 // Critical moments of the buckling case, with what the paper prints.
 import {Chart, isNarrow} from '../chart.js';
 import {h} from '../dom.js';
-import {isNumber, short} from '../format.js';
+import {short} from '../format.js';
 import {look} from '../palette.js';
 import {Absent} from '../parts.js';
 
 const OUTPUT = 'critical_moment';
 
+/** @param {import('../data.js').Results} results */
 function rowsOf(results) {
   const findings = results.findings.filter(
     (f) => f.name.startsWith('c3_buckling/') && f.name.endsWith(`/${OUTPUT}`)
   );
   const printed = new Map((results.paper?.buckling ?? []).map((p) => [p.formulation, p]));
+  const printedOf = (name) => (printed.has(name) ? Number(printed.get(name)?.printed) : null);
   const drawn = findings
-    .filter((f) => f.verdict !== 'left_out' && isNumber(f.value) && f.value > 0)
+    .filter((f) => f.verdict !== 'left_out' && Number(f.value) > 0)
     .map((f) => ({
       formulation: f.formulation,
-      value: f.value,
+      value: Number(f.value),
       shown: `${short(f.value, 6)} N·m`,
       verdict: f.verdict,
-      printed: printed.has(f.formulation) ? Number(printed.get(f.formulation).printed) : null,
+      printed: printedOf(f.formulation),
       reason: f.reason
     }));
   const none = findings.filter((f) => !drawn.some((d) => d.formulation === f.formulation));
@@ -97,6 +99,7 @@ function byReason(findings) {
     .join('; ');
 }
 
+/** @param {import('../data.js').Results} results */
 export function bucklingFigure(results) {
   const {drawn, none, printed} = rowsOf(results);
   if (!drawn.length) return new Absent('no finding c3_buckling/<formulation>/critical_moment has a value');

@@ -146,6 +146,7 @@ function table(kind, rows) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function criticalLoadsFigure(results) {
   const kind = results.stability?.kind;
   if (!kind?.rows?.length) return new Absent('the results hold no kinds of instability (stability.kind)');

@@ -86,6 +86,7 @@ function modesSpec(kind, moment, only) {
   };
 }
 
+/** @param {import('../data.js').Results} results */
 export function criticalModesFigure(results) {
   const kind = results.stability?.kind;
   if (!kind?.modes?.length) return new Absent('the results hold no modes (stability.kind.modes)');

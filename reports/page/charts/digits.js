@@ -55,6 +55,7 @@ function looksOf(series) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 function seriesOf(results, {formulation, kind, what}) {
   const timings = results.timings.filter(
     (t) => isVariant(t) && t.formulation === formulation && t.kind === kind && t.what === what
@@ -127,6 +128,7 @@ function controls(candidates, state, changed) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function digitsFigure(results) {
   const candidates = results.timings.filter((t) => isVariant(t) && t.variant !== '');
   if (!candidates.length) return new Absent('the results hold no timing of a kernel’s variant');

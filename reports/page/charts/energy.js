@@ -80,6 +80,7 @@ function driftTable(runs) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function energyFigure(results) {
   const energy = results.stability?.energy;
   if (!energy?.runs?.length) return new Absent('the results hold no bodies in motion (stability.energy)');

@@ -57,6 +57,7 @@ function slopeTable(loops) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function energyLoopsFigure(results) {
   const energy = results.stability?.energy;
   if (!energy?.loops?.length)

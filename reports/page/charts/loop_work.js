@@ -7,6 +7,16 @@ import {isNumber, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
 import {Absent} from '../parts.js';
 
+/** The band in which a finding is held.
+ * @param {import('../results').Finding} f
+ */
+function bandOf({comparison, expected, low, high}) {
+  if (comparison === 'within') return {low, high};
+  const [middle, half] = [expected ?? NaN, high ?? NaN];
+  return {low: middle - half, high: middle + half};
+}
+
+/** @param {import('../data.js').Results} results */
 export function loopWorkFigure(results) {
   const chart = new Chart(
     'loop-work',
@@ -23,8 +33,7 @@ export function loopWorkFigure(results) {
     kind: f.kind,
     kind_label: kindLabel(f.kind),
     value: f.value,
-    low: f.comparison === 'within' ? f.low : f.expected - f.high,
-    high: f.comparison === 'within' ? f.high : f.expected + f.high,
+    ...bandOf(f),
     verdict: VERDICTS[f.verdict].label,
     shown: short(f.value, 3),
     reason: f.reason

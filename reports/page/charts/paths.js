@@ -20,7 +20,9 @@ const OUTPUTS = [
 
 const loadLabel = (key) => LOADS.find((l) => l.key === key)?.label ?? key;
 
-/** Points of the curves as rows; a change of stability begins a new segment at the point they share. */
+/** Points of the curves as rows; a change of stability begins a new segment at the point they share.
+ * @param {import('../data.js').Results} results
+ */
 function rowsOf(results, paths, load, output) {
   const [factor, value, phi, sign, negative] = ['factor', output, 'phi', 'sign', 'negative'].map((c) =>
     paths.columns.indexOf(c)
@@ -56,7 +58,9 @@ function rowsOf(results, paths, load, output) {
     });
 }
 
-/** The singular points, at the value that the curve has there. */
+/** The singular points, at the value that the curve has there.
+ * @param {import('../data.js').Results} results
+ */
 function eventRows(results, paths, load, output) {
   const [factor, value, phi] = ['factor', output, 'phi'].map((c) => paths.columns.indexOf(c));
   const near = (curve, e) =>
@@ -163,6 +167,7 @@ function spec(rows, events, output, only) {
   };
 }
 
+/** @param {import('../data.js').Results} results */
 function eventTable(results, paths) {
   const rows = paths.curves.flatMap((curve) =>
     curve.events.map((e) => [
@@ -191,6 +196,7 @@ function eventTable(results, paths) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 function endTable(results, paths) {
   const rows = paths.curves.map((c) => [
     results.series(c),
@@ -224,6 +230,7 @@ function stepCell(s) {
   return [jumped, ended].filter(Boolean).join(', ') || '✓';
 }
 
+/** @param {import('../data.js').Results} results */
 function stepTable(results, paths) {
   const counts = [...new Set(paths.steps.map((s) => s.steps))];
   const rowKeys = [...new Set(paths.steps.map((s) => `${results.series(s)}|${s.solver}`))];
@@ -240,6 +247,7 @@ function stepTable(results, paths) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function pathsFigure(results) {
   const paths = results.stability?.paths;
   if (!paths?.curves?.length) return new Absent('the results hold no equilibrium paths (stability.paths)');

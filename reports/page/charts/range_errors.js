@@ -135,6 +135,7 @@ function refusalTable(range) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function digitsLostFigure(results) {
   const range = results.stability?.range;
   if (!range?.conditioning?.length)

@@ -114,6 +114,7 @@ function breaksOf(range, formulation) {
   return [...new Set(breaks)].join(', ') || 'nowhere';
 }
 
+/** @param {import('../data.js').Results} results */
 export function turnsFigure(results) {
   const range = results.stability?.range;
   if (!range?.curves?.length) return new Absent('the results hold no large rotations (stability.range)');

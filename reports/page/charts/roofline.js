@@ -2,8 +2,7 @@
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
 import {KINDS} from '../accuracy_data.js';
 import {choice, h, plainTable, swatch} from '../dom.js';
-import {short} from '../format.js';
-import {percent} from '../solids_data.js';
+import {percent, short} from '../format.js';
 import {ISAS, isaLabel, present, speedOf, whatLabel} from '../speed_data.js';
 import {Absent} from '../parts.js';
 import {inMemory, isRoofed, kernelsOf, linesOf} from './roofline_data.js';
@@ -151,6 +150,7 @@ function legendOf(points) {
   ];
 }
 
+/** @param {import('../data.js').Results} results */
 export function rooflineFigure(results) {
   const all = results.timings.filter(isRoofed);
   if (!all.length) return new Absent('the results hold no batch with counted flops');

@@ -1,6 +1,5 @@
 // Numbers of the roofline: rate, intensity and limit of each batch kernel, and the roofs themselves.
-import {short} from '../format.js';
-import {percent} from '../solids_data.js';
+import {percent, short} from '../format.js';
 import {ISAS, isaLabel, levelOf, usable, variantLabel, whatLabel} from '../speed_data.js';
 
 const BANDWIDTH = {nontemporal: 'non-temporal'};

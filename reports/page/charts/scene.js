@@ -165,7 +165,9 @@ function drawOutput(chart, {curves, load}, {series, solid, references, name}, ou
   else chart.draw(spec({load, output: outputAxis(output)}, {lines, marks, solids}, {series, solid}));
 }
 
-/** figure: one of figuresOf(results). */
+/** figure: one of figuresOf(results).
+ * @param {import('../data.js').Results} results
+ */
 export function sceneFigure(results, figure) {
   const {id, scene, curves, outputs, load} = figure;
   if (!curves.length) return new Absent(`no formulation has a path through ${scene.name}`);

@@ -33,6 +33,7 @@ function errorOf(body, run, what, law) {
     : undefined;
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 function pointsOf(solids, body, what, law) {
   const own = (body.runs ?? []).map((r) => ({...r, look: r.element}));
   // CalculiX has one law, and only its xi is kept.
@@ -132,7 +133,9 @@ function spec(points, what) {
   };
 }
 
-/** Where there is most to see: CalculiX beside ours, or at least a xi that is not exact. */
+/** Where there is most to see: CalculiX beside ours, or at least a xi that is not exact.
+ * @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids
+ */
 function firstBody(solids) {
   return (
     solids.bodies.find((b) => solids.calculix.some((c) => c.body === b.name)) ??
@@ -141,6 +144,7 @@ function firstBody(solids) {
   );
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 export function costFigure(solids) {
   const bodies = solids.bodies.filter((b) => b.runs?.length);
   if (!bodies.length) return new Absent('the results hold no run over meshes (solids.bodies[].runs)');
@@ -193,7 +197,7 @@ export function costFigure(solids) {
         bodies.map((b) => ({key: b.name, label: bodyLabel(b.name)})),
         state.body.name,
         (key) => {
-          state.body = bodies.find((b) => b.name === key);
+          state.body = bodies.find((b) => b.name === key) ?? state.body;
           draw();
         }
       ),

@@ -50,6 +50,7 @@ function spec(rows, {field, title}) {
   };
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 export function newtonFigure(solids) {
   if (!solids.newton.length)
     return new Absent('the results hold no cost of a nonlinear solve (solids.newton)');

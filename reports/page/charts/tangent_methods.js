@@ -29,7 +29,9 @@ const isCandidate = (t) =>
   usable(t);
 const methodOf = (t) => t.method || 'analytic';
 
-/** One series per method and implementation; an unnamed method is analytic and counts for kernels only. */
+/** One series per method and implementation; an unnamed method is analytic and counts for kernels only.
+ * @param {import('../data.js').Results} results
+ */
 function seriesOf(results, {formulation, kind}) {
   const timings = results.timings.filter(
     (t) =>
@@ -114,6 +116,7 @@ function controls(candidates, state, changed) {
   return h('div', {class: 'controls'}, joint, choice('Kind', kinds, state.kind, set('kind')));
 }
 
+/** @param {import('../data.js').Results} results */
 export function tangentFigure(results) {
   const candidates = results.timings.filter((t) => isCandidate(t) && t.method && t.method !== 'analytic');
   if (!candidates.length)

@@ -48,11 +48,15 @@ function tableOf(points, onFront, only) {
   return plainTable('Error and time of each point', COLUMNS, rows);
 }
 
-/** Ranges of phi as choices. */
+/** Ranges of phi as choices.
+ * @param {import('../data.js').Results} results
+ */
 const rangeOptions = (results, {kind, what}) =>
   rangesIn(results, kind, what).map((r) => ({key: rangeKey(r), label: `φ ${rangeLabel(r)}`}));
 
-/** Second choice of a view: which range of phi, or which scene. */
+/** Second choice of a view: which range of phi, or which scene.
+ * @param {import('../data.js').Results} results
+ */
 function detail(results, state, changed) {
   const key = {range: 'range', modelling: 'scene'}[state.view];
   if (!key) return [];
@@ -93,6 +97,7 @@ function legendOf(points, changed) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 function marksIn(results) {
   const keys = new Set(
     results.timings.filter((t) => usable(t) && WHATS.some((w) => w.key === t.what)).map(markOf)
@@ -100,6 +105,7 @@ function marksIn(results) {
   return MARKS.filter((m) => keys.has(m.key));
 }
 
+/** @param {import('../data.js').Results} results */
 export function workPrecisionFigure(results, kind) {
   const kinds = KINDS.filter((k) => WHATS.some((w) => timingsOf(results, k.key, w.key).length));
   if (!kinds.length) return new Absent('the results hold no timing of a joint');

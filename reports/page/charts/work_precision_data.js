@@ -17,13 +17,18 @@ import {bodyLabel, GROUPS} from '../solids_data.js';
 
 const kOwnScene = 'modelling_error';
 
-/** Timings that may be drawn, each the only one of its make. */
+/** Timings that may be drawn, each the only one of its make.
+ * @param {import('../data.js').Results} results
+ */
 export const timingsOf = (results, kind, what) =>
   fastestBatches(results.timings.filter((t) => t.kind === kind && t.what === what && usable(t)));
 
+/** @param {import('../data.js').Results} results */
 export const rangesIn = (results, kind, what) => rangesOf(timingsOf(results, kind, what));
 
-/** Scenes with a modelling error for this kind: the paper's own, and 3D bodies under groups of loads. */
+/** Scenes with a modelling error for this kind: the paper's own, and 3D bodies under groups of loads.
+ * @param {import('../data.js').Results} results
+ */
 export function scenesOf(results, kind) {
   const found = results.findings.filter(
     (f) => f.kind === kind && f.verdict !== 'left_out' && f.name.startsWith(`${f.formulation}/`)
@@ -77,7 +82,9 @@ function inRange(t, range) {
     : [];
 }
 
-/** The cheapest timing of each formulation whose own error stays below the modelling error. */
+/** The cheapest timing of each formulation whose own error stays below the modelling error.
+ * @param {import('../data.js').Results} results
+ */
 function modelled(results, timings, kind, scene) {
   return results.formulations.flatMap(({name}) => {
     const m = errorOf(results.finding(name, kind, scene), kind);
@@ -90,7 +97,9 @@ function modelled(results, timings, kind, scene) {
   });
 }
 
-/** view: 'numerical', 'range' or 'modelling'; marks: the keys of MARKS that may be used. */
+/** view: 'numerical', 'range' or 'modelling'; marks: the keys of MARKS that may be used.
+ * @param {import('../data.js').Results} results
+ */
 export function pointsOf(results, {view, kind, what, range, scene, marks}) {
   const timings = timingsOf(results, kind, what).filter((t) => marks.has(markOf(t)));
   const points =

@@ -7,6 +7,7 @@ import {story} from './matrix.js';
 
 const kFirst = 60; // rows: the search finds the others
 
+/** @param {import('../data.js').Results} results */
 export function findingsTable(results) {
   const state = {text: '', verdict: '', all: false};
   const place = h('tbody');
@@ -19,7 +20,7 @@ export function findingsTable(results) {
     const words = state.text.toLowerCase().split(/\s+/).filter(Boolean);
     const found = results.findings.filter(
       (f) =>
-        (!state.verdict || f.verdict === state.verdict) && words.every((w) => haystacks.get(f).includes(w))
+        (!state.verdict || f.verdict === state.verdict) && words.every((w) => haystacks.get(f)?.includes(w))
     );
     const shown = state.all ? found : found.slice(0, kFirst);
     place.replaceChildren(

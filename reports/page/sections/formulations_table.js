@@ -9,6 +9,7 @@ import {signNote, TIMES_NOTE} from './notes.js';
 
 const SHORT = {angular: 'ang.', linear: 'lin.', linear_angular: 'l/a'};
 
+/** @param {import('../data.js').Results} results */
 function errorCell(results, name, kind) {
   const m = modellingOf(results, name, kind);
   if (m.reason !== undefined) return h('td', {class: 'number none', title: m.reason}, '–');
@@ -20,7 +21,9 @@ function errorCell(results, name, kind) {
   );
 }
 
-/** Of the kernel; T: where there is none, of the transcription. */
+/** Of the kernel; T: where there is none, of the transcription.
+ * @param {import('../data.js').Results} results
+ */
 function timeCell(results, name, kind) {
   const timing = results.preferred(name, kind, 'residual');
   if (!timing) return h('td', {class: 'number none', title: 'not timed'}, '–');
@@ -30,11 +33,14 @@ function timeCell(results, name, kind) {
   return h('td', {class: 'number', title}, nanoseconds(timing.ns), mark);
 }
 
-/** Yes, or no with the kinds that fail and their values; over all kinds that were measured. */
+/** Yes, or no with the kinds that fail and their values; over all kinds that were measured.
+ * @param {import('../data.js').Results} results
+ */
 function propertyCell(results, name, property) {
-  const measured = KINDS.map((k) => ({kind: k, finding: results.finding(name, k.key, property)})).filter(
-    (m) => holds(m.finding)
-  );
+  const measured = KINDS.flatMap((kind) => {
+    const finding = results.finding(name, kind.key, property);
+    return finding && holds(finding) ? [{kind, finding}] : [];
+  });
   if (!measured.length) return h('td', {class: 'mark none', title: 'not measured'}, '–');
   const broken = measured.filter((m) => holds(m.finding) === 'no');
   if (!broken.length) return h('td', {class: 'mark pass', title: 'holds for every kind measured'}, '✓ yes');
@@ -51,6 +57,7 @@ function propertyCell(results, name, property) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function formulationsTable(results) {
   const head = h(
     'thead',

@@ -86,6 +86,7 @@ function count(cls, mark, text, href) {
   return h('li', {class: cls}, href ? h('a', {href}, words) : words);
 }
 
+/** @param {import('../data.js').Results} results */
 function counts(results) {
   const {pass, fail, known_failure: known, left_out: leftOut} = tallyOf(results.findings);
   const refused = results.timings.filter((t) => t.wrong).length;
@@ -114,6 +115,7 @@ function counts(results) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function headline(results, kind) {
   const choice = choiceOf(results, kind);
   const words = choice

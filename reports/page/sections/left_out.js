@@ -37,6 +37,7 @@ function group(title, items, none) {
   ];
 }
 
+/** @param {import('../data.js').Results} results */
 export function leftOut(results) {
   const of = (verdict) => results.findings.filter((f) => f.verdict === verdict);
   const failed = of('fail').map((f) => ({what: f.name, reason: story(f)}));

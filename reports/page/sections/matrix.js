@@ -23,6 +23,7 @@ const isProperty = (name) => name !== 'modelling_error' && !name.startsWith('fe_
 
 const property = (finding) => finding.name.slice(`${finding.formulation}/${finding.kind}/`.length);
 
+/** @param {import('../data.js').Results} results */
 function columnsOf(results, kind) {
   const names = new Set(
     results.findings
@@ -65,6 +66,7 @@ function cell(finding, detail) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function propertyMatrix(results) {
   const place = h('div');
   const detail = h(

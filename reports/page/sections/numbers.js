@@ -4,7 +4,9 @@ import {leftOut} from './left_out.js';
 import {provenance} from './provenance.js';
 import {reading} from './reading.js';
 
-/** @type {(results: any, raw: string) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any, raw: string) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 export const numberParts = (results, raw) => [
   {id: 'reading', title: 'How to read this', build: () => reading()},
   {id: 'left-out', title: 'Failed or left out', build: () => leftOut(results)},

@@ -2,6 +2,7 @@
 import {h} from '../dom.js';
 import {seconds} from '../format.js';
 
+/** @param {import('../data.js').Results} results */
 export function provenance(results, raw) {
   const c = results.context;
   const rows = [

@@ -31,6 +31,7 @@ function limitOf(ranges, study) {
     : `${studyLabel(study)}: beyond ${load(one)} (${formulation}) no law is within 1 %; ${ended}.`;
 }
 
+/** @param {import('../data.js').Results} results */
 export function rangesTable(results) {
   const ranges = rangesOf(results);
   if (!ranges.length)

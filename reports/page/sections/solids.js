@@ -5,19 +5,22 @@ import {isNumber, short} from '../format.js';
 import {Absent} from '../parts.js';
 import {bodyLabel, paperXi} from '../solids_data.js';
 
-/** Each body's widest error bars, in words. */
+/** Each body's widest error bars, in words.
+ * @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids
+ */
 function certainty(solids) {
   const widest = (list) => short(Math.max(...list.filter(isNumber)));
   const known = solids.bodies
     .filter((b) => b.compliances?.length && b.xis?.length)
-    .map(
-      (b) =>
-        `${bodyLabel(b.name)} ${widest(b.compliances.map((c) => c.uncertainty / Math.abs(c.value)))} and ` +
-        widest(b.xis.map((x) => paperXi(b, x.law)?.uncertainty))
-    );
+    .map((b) => {
+      const relative = (b.compliances ?? []).map((c) => (c.uncertainty ?? NaN) / Math.abs(c.value ?? NaN));
+      const xis = (b.xis ?? []).map((x) => paperXi(b, x.law)?.uncertainty);
+      return `${bodyLabel(b.name)} ${widest(relative)} and ${widest(xis)}`;
+    });
   return known.length ? `Widest error bars of compliance (relative) and ξ: ${known.join('; ')}.` : '';
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 function absent(solids) {
   if (!solids.missing.length) return null;
   return h(
@@ -29,6 +32,7 @@ function absent(solids) {
   );
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 export function bodiesPart(solids) {
   if (!solids.given) return new Absent('the results hold no 3D finite elements (solids)');
   return [

@@ -1,8 +1,8 @@
 // The bearing of Table 4: geometries that have its compliances, and the xi of each.
 import {bearingChart} from '../charts/solids_bearing.js';
 import {h, scrolling} from '../dom.js';
-import {isNumber, plural, short} from '../format.js';
-import {familyLabel, familyNamed, lawLook, percent, withBar} from '../solids_data.js';
+import {isNumber, percent, plural, short} from '../format.js';
+import {familyLabel, familyNamed, lawLook, withBar} from '../solids_data.js';
 import {Absent} from '../parts.js';
 
 const extent = (f) => `${short(f.extent, 4)} ${f.cut === 'cone' ? 'rad' : 'm'}`;
@@ -122,6 +122,7 @@ function xiTable(bearing) {
   );
 }
 
+/** @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids */
 export function bearingPart(solids) {
   if (!solids.bearing?.families?.length)
     return new Absent('the results hold no fitted bearing (solids.bearing)');

@@ -7,6 +7,7 @@ import {Absent} from '../parts.js';
 
 const kKind = 'linear_angular';
 
+/** @param {import('../data.js').Results} results */
 function cell(results, name, body, group) {
   const m = solidErrorOf(results, name, kKind, {body, group});
   if (m.reason !== undefined) return h('td', {class: 'number none', title: m.reason}, '–');
@@ -17,6 +18,7 @@ function cell(results, name, body, group) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function formulationErrors(results) {
   const {bodies, groups} = results.solidViews();
   if (!bodies.length) {

@@ -1,8 +1,8 @@
 // Tables 2 and 3 beside ours: the print, a mesh of its kind, the converged value.
 import {VERDICTS} from '../data.js';
 import {h, scrolling} from '../dom.js';
-import {short} from '../format.js';
-import {percent, printedDigits, withBar} from '../solids_data.js';
+import {isNumber, percent, short} from '../format.js';
+import {printedDigits, withBar} from '../solids_data.js';
 import {story} from './matrix.js';
 
 const TABLES = [
@@ -23,13 +23,15 @@ function mark(finding) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 function row(results, table, body, {axis, name, label}) {
   const paperMesh = results.finding('fe', table, 'paper_mesh', axis);
   const discretisation = results.finding('fe', table, 'discretisation', axis);
   const ours = body.compliances?.find((c) => c.name === name);
   if (!paperMesh && !discretisation) return null;
   // The finding is printed / converged - 1: six digits of the product are the print again.
-  const printed = ours && discretisation ? printedDigits(ours.value * (1 + discretisation.value)) : '–';
+  const printed =
+    ours && discretisation ? printedDigits(ours.value * (1 + (discretisation.value ?? NaN))) : '–';
   return h(
     'tr',
     {},
@@ -45,6 +47,7 @@ function row(results, table, body, {axis, name, label}) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 function oneTable(results, solids, {table, body: name, title}) {
   const body = solids.bodies.find((b) => b.name === name);
   const heading = h('h4', {}, title);
@@ -89,12 +92,15 @@ function oneTable(results, solids, {table, body: name, title}) {
   );
 }
 
-/** What the print hides, from the findings. */
+/** What the print hides, from the findings.
+ * @param {import('../data.js').Results} results
+ */
 function remarks(results, solids) {
   const items = [];
   const wrong = results.findings
     .filter((f) => f.name.startsWith('fe/table_3/printed_height/') && f.verdict !== 'left_out')
-    .map((f) => f.value);
+    .map((f) => f.value)
+    .filter(isNumber);
   const height = solids.bodies.find((b) => b.name === 'frustum_top')?.geometry?.length;
   if (wrong.length) {
     items.push(
@@ -110,6 +116,7 @@ function remarks(results, solids) {
   return items;
 }
 
+/** @param {import('../data.js').Results} results */
 export function printedTables(results, solids) {
   return [
     h(

@@ -1,10 +1,12 @@
 // xi of each body and material law: under the paper's moments, the best one, and what no xi represents.
 import {h, scrolling} from '../dom.js';
-import {isNumber, short} from '../format.js';
-import {bodyLabel, GROUPS, lawLook, paperXi, percent, withBar} from '../solids_data.js';
+import {isNumber, percent, short} from '../format.js';
+import {bodyLabel, GROUPS, lawLook, paperXi, withBar} from '../solids_data.js';
 import {Absent} from '../parts.js';
 
-/** The printed xi of the frustum and whether a law gives it to the printed digits. */
+/** The printed xi of the frustum and whether a law gives it to the printed digits.
+ * @param {import('../data.js').Results} results
+ */
 function printed(results, law) {
   const finding = results.findings.find(
     (f) => f.name.startsWith('fe/') && f.name.endsWith(`printed_xi/${law}`)
@@ -13,9 +15,10 @@ function printed(results, law) {
     (f) => f.name.startsWith('fe/') && f.name.includes('printed_xi/') && f.comparison === 'equal'
   )?.high;
   if (!finding || !isNumber(finding.value) || !isNumber(limit)) return null;
-  return {value: finding.expected, met: Math.abs(finding.value - finding.expected) <= limit};
+  return {value: finding.expected, met: Math.abs(finding.value - (finding.expected ?? NaN)) <= limit};
 }
 
+/** @param {import('../data.js').Results} results */
 function xiCell(results, body, law) {
   const xi = paperXi(body, law);
   if (!isNumber(xi?.value)) return h('td', {class: 'number none'}, '–');
@@ -31,6 +34,7 @@ function xiCell(results, body, law) {
     : h('td', {class: 'number'}, text);
 }
 
+/** @param {import('../data.js').Results} results */
 function rows(results, body) {
   return (body.xis ?? []).map((x, i, all) =>
     h(
@@ -57,7 +61,9 @@ function rows(results, body) {
   );
 }
 
-/** Every pair of loads: they need not agree on xi. */
+/** Every pair of loads: they need not agree on xi.
+ * @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids
+ */
 function pairs(solids) {
   const names = ['13', '23', '12'];
   const cells = (list) =>
@@ -109,12 +115,16 @@ function pairs(solids) {
   );
 }
 
-/** Bodies whose xi is 1/2 on every mesh and for every law, in words. */
+/** Bodies whose xi is 1/2 on every mesh and for every law, in words.
+ * @param {ReturnType<typeof import('../solids_data.js').solidsOf>} solids
+ */
 function halves(solids) {
   return solids.bodies
     .map((b) => ({
       name: bodyLabel(b.name),
-      off: Math.max(...(b.runs ?? []).flatMap((r) => Object.values(r.xi ?? {})).map((x) => Math.abs(x - 0.5)))
+      off: Math.max(
+        ...(b.runs ?? []).flatMap((r) => Object.values(r.xi ?? {})).map((x) => Math.abs((x ?? NaN) - 0.5))
+      )
     }))
     .filter((b) => b.off < 1e-6 && b.off >= 0)
     .map(
@@ -123,6 +133,7 @@ function halves(solids) {
     );
 }
 
+/** @param {import('../data.js').Results} results */
 export function xiTable(results, solids) {
   if (!solids.bodies.some((b) => b.xis?.length)) return new Absent('the results hold no ξ of a 3D body');
   const head = h(

@@ -19,7 +19,9 @@ export const speedNote = ({context: {machine, compiler}}) =>
     signNote()
   );
 
-/** @type {(results: any, kind: string) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any, kind: string) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 export const speedParts = (results, kind) => [
   {id: 'cheapest', title: 'The cheapest sufficient model', build: () => cheapestTable(results)},
   {

@@ -2,10 +2,9 @@
 import {isOwnTruth, tableOf} from '../cheapest_data.js';
 import {kindLabel} from '../accuracy_data.js';
 import {h, scrolling, swatch} from '../dom.js';
-import {isNumber, nanoseconds, short, superscript} from '../format.js';
+import {isNumber, nanoseconds, percent, short, superscript} from '../format.js';
 import {look} from '../palette.js';
 import {Absent} from '../parts.js';
-import {percent} from '../solids_data.js';
 import {signNote} from './notes.js';
 import {implementationLabel, isAnalytic, methodLabel, ratio, speedOf, variantLabel} from '../speed_data.js';
 
@@ -108,6 +107,7 @@ function notesOf(rows) {
     : null;
 }
 
+/** @param {import('../data.js').Results} results */
 export function cheapestTable(results) {
   const rows = speedOf(results).cheapest;
   if (!rows.length) return new Absent('the results name no cheapest sufficient model (speed.cheapest)');

@@ -24,6 +24,7 @@ function targetRow(t) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function targetsTable(results) {
   const {targets} = speedOf(results);
   if (!targets.length) return new Absent('the results hold no targets (speed.targets)');
@@ -49,7 +50,9 @@ export function targetsTable(results) {
 }
 
 /** Ours of the same kind and output: the same formulation's kernel, else the invariant joint's; of a rotation
- * our own exp or log. */
+ * our own exp or log.
+ * @param {import('../data.js').Results} results
+ */
 function ours(results, t) {
   const same = results.timings.filter(
     (o) =>
@@ -68,6 +71,7 @@ function ours(results, t) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function competitorsTable(results) {
   const title = 'Competitors in this run';
   const timed = results.timings
@@ -103,6 +107,7 @@ export function competitorsTable(results) {
   );
 }
 
+/** @param {import('../data.js').Results} results */
 export function publishedTable(results) {
   const {published} = speedOf(results);
   if (!published.length) return new Absent('the results hold no published figures (speed.published)');
@@ -118,6 +123,7 @@ export function publishedTable(results) {
   ];
 }
 
+/** @param {import('../data.js').Results} results */
 export function instructionsTable(results) {
   const {instructions} = speedOf(results);
   if (!instructions.length) return new Absent('no instructions were counted (speed.instructions)');

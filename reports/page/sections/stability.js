@@ -12,7 +12,9 @@ import {pathsFigure} from '../charts/paths.js';
 import {digitsLostFigure} from '../charts/range_errors.js';
 import {turnsFigure} from '../charts/range_turns.js';
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 const bucklingParts = (results) => [
   {
     id: 'buckling',
@@ -44,7 +46,9 @@ const bucklingParts = (results) => [
   }
 ];
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 const energyParts = (results) => [
   {id: 'energy', title: 'Energy in motion', charts: ['energy-runs'], build: () => energyFigure(results)},
   {
@@ -63,7 +67,9 @@ const energyParts = (results) => [
   }
 ];
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 export const stabilityParts = (results) => [
   {
     id: 'atlas',

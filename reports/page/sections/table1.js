@@ -16,6 +16,7 @@ function agreement(ours, text, corrected) {
   return {verdict: 'fail', text: `✗ off by ${short(units)} of the last digit`};
 }
 
+/** @param {import('../data.js').Results} results */
 function row(results, entry, erratumNumber) {
   const finding = results.byName.get(`${kScene}/${entry.formulation}/${entry.output}@1`);
   const ours = finding && isNumber(finding.value) ? finding.value : undefined;
@@ -54,6 +55,7 @@ function row(results, entry, erratumNumber) {
   ];
 }
 
+/** @param {import('../data.js').Results} results */
 export function table1(results) {
   const entries = results.paper?.table1 ?? [];
   if (!entries.length) return new Absent('the results hold no printed table (paper.table1)');

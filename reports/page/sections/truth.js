@@ -11,7 +11,9 @@ import {printedTables} from './solids_tables.js';
 import {xiTable} from './solids_xi.js';
 import {table1} from './table1.js';
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 const sceneParts = (results) =>
   figuresOf(results).map((figure) => ({
     id: figure.id,
@@ -21,7 +23,9 @@ const sceneParts = (results) =>
     build: () => sceneFigure(results, figure)
   }));
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 function solidParts(results) {
   const solids = solidsOf(results);
   return [
@@ -65,7 +69,9 @@ function solidParts(results) {
   ];
 }
 
-/** @type {(results: any) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 export const truthParts = (results) => [
   {id: 'table1', title: 'Table 1: the skewed torque, beside the print', build: () => table1(results)},
   ...sceneParts(results),

@@ -4,7 +4,9 @@ import {formulationsTable} from './formulations_table.js';
 import {propertyMatrix} from './matrix.js';
 import {rangesTable} from './ranges.js';
 
-/** @type {(results: any, kind: string) => import('../parts.js').PartSpec[]} */
+/** @type {(results: any, kind: string) => import('../parts.js').PartSpec[]}
+ * @param {import('../data.js').Results} results
+ */
 export const whichParts = (results, kind) => [
   {
     id: 'accuracy',

@@ -1,15 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {
-  bodyLabel,
-  familyLabel,
-  lawLook,
-  paperXi,
-  percent,
-  printedDigits,
-  solidsOf,
-  withBar
-} from '../solids_data.js';
+import {percent} from '../format.js';
+import {bodyLabel, familyLabel, lawLook, paperXi, printedDigits, solidsOf, withBar} from '../solids_data.js';
 
 test('every list is there, even of nothing', () => {
   const none = solidsOf({});
