@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import {readdirSync, readFileSync} from 'node:fs';
 import test from 'node:test';
 import {HUE, look, paletteStyle, seriesLook} from '../palette.js';
 
@@ -34,4 +35,15 @@ test('several series of one formulation differ by their dash', () => {
   assert.deepEqual(seriesLook('invariant', 0), look('invariant'));
   assert.equal(seriesLook('invariant', 1).color, look('invariant').color);
   assert.notDeepEqual(seriesLook('invariant', 1).dash, look('invariant').dash);
+});
+
+test('no colour is written down anywhere else', () => {
+  const here = new URL('..', import.meta.url);
+  const folders = ['', 'charts/', 'sections/'];
+  const modules = folders.flatMap((f) => readdirSync(new URL(f, here)).map((name) => f + name));
+  const literal = /#[0-9a-f]{6}\b|\brgb\(|\boklch\(/i;
+  const found = modules.filter(
+    (m) => m.endsWith('.js') && m !== 'palette.js' && literal.test(readFileSync(new URL(m, here), 'utf8'))
+  );
+  assert.deepEqual(found, []);
 });
