@@ -30,7 +30,7 @@ test('the component in which the joints differ most comes first; the linear anal
   const curves = [
     curve('s', 'a', columns, [1, 1, 2e-7]),
     curve('s', 'b', columns, [1, 1.01, 1e-7]),
-    curve('s', 'linearized', columns, [1, 9, 0])
+    curve('s', 'linearized', columns, [1, -9, 0])
   ];
   assert.deepEqual(outputsOf(curves), {names: ['theta_x', 'theta_y'], first: 'theta_y'});
   assert.deepEqual(outputsOf([]), {names: [], first: undefined});
@@ -68,7 +68,8 @@ test('names and units of outputs and loads', () => {
 
 test('powers of ten keep labels short', () => {
   assert.equal(powerOf([1e-7, -3e-7]), -7);
-  assert.equal(powerOf([0.5, 12]), 0);
+  assert.equal(powerOf([0.5]), 0);
+  assert.equal(powerOf([12]), 0);
   assert.equal(powerOf([1e6]), 6);
   assert.equal(powerOf([NaN, null]), 0);
   assert.equal(powerOf([]), 0);

@@ -48,6 +48,19 @@ test('marks: what sets a timing most apart comes first', () => {
   assert.equal(mark({implementation: '<script>'}), 'kernel');
 });
 
+test('the floor of rounding is that of the precision', () => {
+  assert.equal(speed.roundingFloor({precision: 'float'}), 2 ** -25);
+  assert.equal(speed.roundingFloor({precision: 'double'}), 2 ** -54);
+});
+
+test('a modelling error is drawn at the time of what computes it well enough', () => {
+  const json = fixture();
+  json.timings.push(timing('attached_a', 'angular', {variant: 'order_1', ns: 2, error: 10}));
+  const view = {kind: 'angular', what: 'residual', marks: new Set(['kernel', 'variant'])};
+  const points = pointsOf(new Results(json), {...view, view: 'modelling', scene: 'modelling_error'});
+  assert.equal(points.find((p) => p.formulation === 'attached_a').ns, 20);
+});
+
 test('ranges of phi in words', () => {
   assert.equal(speed.rangeLabel({from: 0, to: 0.01}), '0 … 10⁻²');
   assert.equal(speed.phiText(Math.PI - 1e-3), 'π − 10⁻³');
@@ -105,7 +118,7 @@ test('the truth is not a candidate in silence', () => {
   assert.equal(isOwnTruth(row({note, formulation: 'attached_a'})), false);
   assert.equal(isOwnTruth(row({truth: 'invariant'})), true);
   assert.equal(isOwnTruth(row({})), false);
-  assert.equal(isOwnTruth(row({formulation: ''})), false);
+  assert.equal(isOwnTruth(row({formulation: '', truth: ''})), false);
   const {tolerances, scenes} = tableOf([row({note}), row({tolerance: 1e-2, formulation: ''})]);
   assert.deepEqual(tolerances, [1e-2, 1e-4]);
   assert.equal(scenes[0].truth, 'invariant');
