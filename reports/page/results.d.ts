@@ -178,6 +178,7 @@ export interface PairXi {
   value: number | null;
   uncertainty: number | null;
   order?: number | null;
+  unit?: string;
 }
 
 export interface BestXi {
@@ -237,6 +238,7 @@ export interface BearingFamily {
   unknowns?: number;
   xi?: Array<LawXi>;
   message?: string;
+  rms?: number | null;
 }
 
 export interface BearingScan {
@@ -245,6 +247,15 @@ export interface BearingScan {
   largest: number | null;
   admissible: boolean;
   xi?: Record<string, number | null>;
+  cut?: string;
+  hole?: string;
+  inner?: number | null;
+  outer?: number | null;
+  extent?: number | null;
+  residuals?: Array<number | null>;
+  rms?: number | null;
+  unknowns?: number;
+  message?: string;
 }
 
 export interface Bearing {
@@ -263,6 +274,7 @@ export interface Calculix {
   seconds: number | null;
   runs?: number;
   xi: number | null;
+  version?: string;
 }
 
 export interface NewtonSolve {
@@ -406,7 +418,7 @@ export interface Paths {
 export interface Instability {
   kind: string;
   moment: string;
-  axis: number | string;
+  axis: number;
   formulation: string;
   inertia: string;
   load: number | null;
@@ -418,7 +430,7 @@ export interface Instability {
 export interface Modes {
   formulation: string;
   moment: string;
-  axis?: number | string;
+  axis?: number;
   inertia?: string;
   columns?: Array<string>;
   points: Array<Array<number | null>>;
@@ -478,6 +490,8 @@ export interface Gimbal {
   tangent_order: number | null;
   lost_1e6: number | null;
   lost_1e3: number | null;
+  distance: Array<number | null>;
+  error: Array<number | null>;
 }
 
 export interface ErrorSeries {
@@ -528,7 +542,7 @@ export interface EnergyRun {
 export interface LoopPoint {
   amplitude: number;
   relative: number | null;
-  error: number | null;
+  error?: number | null;
 }
 
 export interface Loop {
@@ -574,12 +588,13 @@ export interface BasinMap {
   tangent: string;
   share: number | null;
   safe_step: number | null;
-  wrapped?: any;
+  wrapped?: number;
   cells: Array<number>;
 }
 
 export interface Equilibrium {
   theta: Array<number | null>;
+  cells: number;
 }
 
 export interface StartMap {
@@ -597,6 +612,7 @@ export interface NewtonOrder {
   order: number | null;
   factor: number | null;
   predicted: number | null;
+  iterations: number;
 }
 
 export interface Basins {

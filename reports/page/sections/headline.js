@@ -39,7 +39,7 @@ function answer({best, also, fastest, between, condition}, kind) {
     'The fastest, ',
     code(fastest.formulation),
     `, takes ${cost(fastest)} and has ${error(fastest)}`,
-    times > 1.05 ? `, ${short(times)} times as much. ` : '. '
+    times > 1.05 ? `, ${best.floored ? 'at least ' : ''}${short(times)} times as much. ` : '. '
   );
   if (between.length) {
     sentence.push('Between the two no formulation beats ', ...list(between.map((p) => p.formulation)), '.');
