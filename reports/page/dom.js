@@ -198,5 +198,5 @@ export const folded = (title, content) => h('details', {class: 'more'}, h('summa
 
 /** A table that scrolls sideways by itself on narrow screens. */
 export function scrolling(table, label) {
-  return h('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': label}, table);
+  return h('div', {class: 'scroll', tabindex: '0', role: 'group', 'aria-label': label}, table);
 }

@@ -92,6 +92,8 @@ export class Parts {
   /** @param {Part[]} list */
   constructor(list) {
     this.list = list;
+    /** Where a link led, until the reader moves on. @type {Element | null} */
+    this.goal = null;
     this.observer = new IntersectionObserver((entries) => this.seen(entries), {rootMargin: kAhead});
   }
 
@@ -100,6 +102,9 @@ export class Parts {
     for (const part of this.list) this.observer.observe(part.section);
     window.addEventListener('beforeprint', () => this.list.forEach((part) => part.draw()));
     window.addEventListener('hashchange', () => this.follow(location.hash));
+    for (const moving of ['wheel', 'touchmove', 'pointerdown', 'keydown']) {
+      window.addEventListener(moving, () => (this.goal = null), {passive: true});
+    }
     this.follow(location.hash);
   }
 
@@ -111,6 +116,7 @@ export class Parts {
       this.observer.unobserve(target);
       part.draw();
     }
+    this.goal?.scrollIntoView(); // what was drawn above it has moved it
   }
 
   /** Draws what a link leads to, then goes there: its height was not known before.
@@ -125,7 +131,8 @@ export class Parts {
     const part = this.list.find((p) => p.spec.id === id);
     if (part) part.draw();
     else if (id && !document.getElementById(id)) this.list.forEach((p) => p.draw());
-    if (id) document.getElementById(id)?.scrollIntoView();
+    this.goal = id ? document.getElementById(id) : null;
+    this.goal?.scrollIntoView();
   }
 
   /** One part after another, so that the page answers in between. */

@@ -5,6 +5,16 @@ import {look} from '../palette.js';
 import {Absent} from '../parts.js';
 import {momentLabel as labelOf} from './moments.js';
 
+const LOADS = [0, 2000]; // N m
+const EIGENVALUES = [-200, 800]; // 1/s²
+/** Lines leave the picture in their own direction and end not far outside: a mark of millions of pixels is more
+ * than some tools survive.
+ */
+const kOutside = 3;
+/** @param {number} x @param {number[]} domain */
+const within = (x, [low, high]) =>
+  Math.min(Math.max(x, low - kOutside * (high - low)), high + kOutside * (high - low));
+
 /** Lowest eigenvalue over the load: dotted where two modes have met and grow. */
 function modesSpec(kind, moment, only) {
   const rows = kind.modes
@@ -18,11 +28,13 @@ function modesSpec(kind, moment, only) {
           load,
           angle,
           lowest,
+          shown: within(lowest, EIGENVALUES),
           growth,
           complex: imaginary > 1e-6 * Math.abs(lowest)
         };
       })
-    );
+    )
+    .filter((row) => row.load < kOutside * LOADS[1]);
   const names = [...new Set(rows.map((r) => r.formulation))];
   const faded = only
     ? {opacity: {condition: {test: `datum.formulation === ${JSON.stringify(only)}`, value: 1}, value: 0.1}}
@@ -31,14 +43,14 @@ function modesSpec(kind, moment, only) {
     field: 'load',
     type: 'quantitative',
     title: 'moment about axis 1, N·m',
-    scale: {domain: [0, 2000], nice: false},
+    scale: {domain: LOADS, nice: false},
     axis: {tickCount: 5}
   };
   const y = {
-    field: 'lowest',
+    field: 'shown',
     type: 'quantitative',
     title: 'lowest eigenvalue μ, 1/s²',
-    scale: {domain: [-200, 800], nice: false}
+    scale: {domain: EIGENVALUES, nice: false}
   };
   const color = {
     field: 'formulation',

@@ -70,11 +70,7 @@ function limits({shown, one, end}) {
     ),
     plainTable(
       'How far the formulations follow the 3D body',
-      [
-        {text: 'formulation'},
-        {text: 'within 1 % up to', number: true},
-        {text: 'within 5 % up to', number: true}
-      ],
+      [{text: 'formulation'}, {text: 'within 1 %', number: true}, {text: 'within 5 %', number: true}],
       shown.map((r) => [code(r.formulation), reachText(r.one, r.unit), reachText(r.five, r.unit)])
     )
   ];
