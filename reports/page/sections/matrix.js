@@ -1,7 +1,7 @@
 // Formulation x property, with the value in the cell and its story on demand.
 import {KINDS} from '../accuracy_data.js';
 import {ORACLES, VERDICTS} from '../data.js';
-import {choice, h, scrolling} from '../dom.js';
+import {choice, folded, h, scrolling} from '../dom.js';
 import {full, short} from '../format.js';
 
 const ORDER = [
@@ -19,6 +19,7 @@ const ORDER = [
   'rounding',
   'rounding_tangent'
 ];
+const kColumns = 12;
 const isProperty = (name) => name !== 'modelling_error' && !name.startsWith('fe_'); // errors have tables of their own
 
 const property = (finding) => finding.name.slice(`${finding.formulation}/${finding.kind}/`.length);
@@ -66,6 +67,36 @@ function cell(finding, detail) {
   );
 }
 
+/** As many columns as are read without moving the table.
+ * @param {string[]} columns
+ */
+const inGroups = (columns) =>
+  Array.from({length: Math.ceil(columns.length / kColumns)}, (_, i) =>
+    columns.slice(i * kColumns, (i + 1) * kColumns)
+  );
+
+/** @param {import('../data.js').Results} results */
+function matrixOf(results, kind, columns, detail) {
+  const head = h(
+    'thead',
+    {},
+    h(
+      'tr',
+      {},
+      h('th', {scope: 'col'}, 'formulation'),
+      columns.map((c) => h('th', {scope: 'col'}, c.replaceAll('_', ' ')))
+    )
+  );
+  const row = ({name}) =>
+    h(
+      'tr',
+      {},
+      h('th', {scope: 'row'}, h('code', {}, name)),
+      columns.map((c) => cell(results.finding(name, kind, c), detail))
+    );
+  return h('table', {class: 'matrix'}, head, h('tbody', {}, results.formulations.map(row)));
+}
+
 /** @param {import('../data.js').Results} results */
 export function propertyMatrix(results) {
   const place = h('div');
@@ -80,29 +111,13 @@ export function propertyMatrix(results) {
       place.replaceChildren(h('p', {class: 'empty'}, 'Nothing was measured for this kind.'));
       return;
     }
-    const head = h(
-      'thead',
-      {},
-      h(
-        'tr',
-        {},
-        h('th', {scope: 'col'}, 'formulation'),
-        columns.map((c) => h('th', {scope: 'col'}, c.replaceAll('_', ' ')))
-      )
+    const tables = inGroups(columns).map((group, i) =>
+      scrolling(matrixOf(results, kind, group, detail), `Property matrix, part ${i + 1}`)
     );
-    const body = h(
-      'tbody',
-      {},
-      results.formulations.map((f) =>
-        h(
-          'tr',
-          {},
-          h('th', {scope: 'row'}, h('code', {}, f.name)),
-          columns.map((c) => cell(results.finding(f.name, kind, c), detail))
-        )
-      )
+    place.replaceChildren(
+      tables[0],
+      tables.length > 1 ? folded('Every other property', tables.slice(1)) : ''
     );
-    place.replaceChildren(scrolling(h('table', {class: 'matrix'}, head, body), 'Property matrix'));
   };
   draw('angular');
   return [

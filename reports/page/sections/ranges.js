@@ -10,7 +10,12 @@ const studyLabel = (study) => study.replaceAll('_', ' under ');
 
 function reachCell(reach, title) {
   const load = `${reach.isWhole ? '≥ ' : ''}${short(reach.load, 3)}`;
-  return h('td', {class: 'number', title}, load, reach.phi === undefined ? '' : ` (${short(reach.phi, 2)}°)`);
+  return h(
+    'td',
+    {class: 'number', title},
+    load,
+    reach.phi === undefined || reach.load === 0 ? '' : ` (${short(reach.phi, 2)}°)`
+  );
 }
 
 function cells(range) {
@@ -23,7 +28,7 @@ function cells(range) {
 function limitOf(ranges, study) {
   const own = ranges.filter((r) => r.study === study);
   const {one, end, formulation} = /** @type {import('../ranges_data.js').Range} */ (farthest(own, 'one'));
-  const angle = (reach) => (reach.phi === undefined ? '' : `, ${short(reach.phi, 2)}°`);
+  const angle = (reach) => (reach.phi === undefined || reach.load === 0 ? '' : `, ${short(reach.phi, 2)}°`);
   const load = (reach) => `${short(reach.load, 3)} ${unitText(own[0].unit)}${angle(reach)}`;
   const ended = `the 3D curve ends at ${load(end)}`;
   return one.isWhole

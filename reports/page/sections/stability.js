@@ -34,14 +34,12 @@ const bucklingParts = (results) => [
     id: 'critical-loads',
     title: 'Divergence or flutter',
     charts: ['critical-loads'],
-    half: true,
     build: () => criticalLoadsFigure(results)
   },
   {
     id: 'critical-modes',
     title: 'On the way to the critical moment',
     charts: ['critical-modes'],
-    half: true,
     build: () => criticalModesFigure(results)
   }
 ];
