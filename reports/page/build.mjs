@@ -8,6 +8,7 @@ import {build} from 'esbuild';
 const here = dirname(fileURLToPath(import.meta.url));
 const output = resolve(process.argv[2] ?? 'page.html');
 const placeholder = '@HALFWAY_RESULTS@';
+const styles = ['style.css', 'charts.css', 'tables.css', 'pictures.css', 'media.css']; // later ones change earlier ones
 
 const bundled = await build({
   entryPoints: [join(here, 'page.js')],
@@ -23,7 +24,7 @@ const bundled = await build({
 // A script element ends at the first "</script", wherever it stands; an opening comment hides that end.
 const script = bundled.outputFiles[0].text.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--');
 const parts = {
-  '@STYLE@': readFileSync(join(here, 'style.css'), 'utf8'),
+  '@STYLE@': styles.map((file) => readFileSync(join(here, file), 'utf8')).join('\n'),
   '@SCRIPT@': script
 };
 let page = readFileSync(join(here, 'template.html'), 'utf8');

@@ -1,11 +1,15 @@
-// Draws Vega-Lite charts into figures and keeps the account that look.sh reads: which charts the page promised,
-// which were drawn, which have no data.
-import {expressionFunction} from 'vega';
-import vegaEmbed from 'vega-embed';
+// Draws Vega-Lite charts into their boxes, at once and without waiting: a page that is about to be printed has
+// no time for promises.
+import {Error as kErrorsOnly, expressionFunction, logger, parse, View} from 'vega';
+import {compile} from 'vega-lite';
+import {Handler} from 'vega-tooltip';
+import {account} from './account.js';
 import {h} from './dom.js';
 import {superscript} from './format.js';
 
-expressionFunction('power10', (x) => {
+/** @typedef {Record<string, any>} Spec  of Vega or Vega-Lite */
+
+expressionFunction('power10', (/** @type {number} */ x) => {
   const exponent = Math.log10(x);
   return Math.abs(exponent - Math.round(exponent)) < 1e-9 ? `10${superscript(Math.round(exponent))}` : '';
 });
@@ -15,89 +19,102 @@ const config = {
   background: 'transparent',
   font: FONT,
   view: {stroke: null},
-  axis: {domainColor: 'var(--rule)', tickColor: 'var(--rule)', gridColor: 'var(--grid)', labelColor: 'var(--muted)',
-         titleColor: 'var(--ink)', titleFontWeight: 'normal', labelFontSize: 12, titleFontSize: 13, titlePadding: 8,
-         labelOverlap: 'greedy', labelFlush: false},
+  axis: {
+    domainColor: 'var(--rule)',
+    tickColor: 'var(--rule)',
+    gridColor: 'var(--grid)',
+    labelColor: 'var(--muted)',
+    titleColor: 'var(--ink)',
+    titleFontWeight: 'normal',
+    labelFontSize: 12,
+    titleFontSize: 13,
+    titlePadding: 8,
+    labelOverlap: 'greedy',
+    labelFlush: false
+  },
   text: {color: 'var(--ink)', fontSize: 12}
 };
+const tooltip = new Handler({theme: 'custom', disableDefaultStyle: true});
 
-const charts = new Map();
-const errors = [];
-let sealed = false;
-
-export function reportError(error) {
-  errors.push(String(error?.message ?? error));
-  publish();
-}
-
-/** All charts are promised; from now on the page may call itself ready. */
-export function seal() {
-  sealed = true;
-  publish();
-}
-
-function publish() {
-  const states = [...charts.entries()];
-  const of = (state) => states.filter(([, s]) => s === state).map(([id]) => id);
-  const root = document.documentElement;
-  root.dataset.chartsDrawn = of('drawn').join(' ');
-  root.dataset.chartsEmpty = of('empty').join(' ');
-  root.dataset.errors = errors.join(' | ');
-  root.dataset.height = String(Math.ceil(root.scrollHeight));
-  if (errors.length) root.dataset.state = 'error';
-  else if (sealed && of('waiting').length === 0) root.dataset.state = of('empty').length ? 'incomplete' : 'ready';
-}
-
-/** For what is drawn without Vega: 'drawn' or 'empty'. */
-export function account(id, state) {
-  charts.set(id, state);
-  publish();
-}
+/** Charts whose box is not in the page yet, where it would have no width. @type {Set<Chart>} */
+const detached = new Set();
 
 export class Chart {
-  /** `id` names the chart in the page's account; `label` is read by screen readers. */
+  /**
+   * @param {string} id names the chart in the page's account
+   * @param {string} label is read by screen readers
+   */
   constructor(id, label) {
     this.id = id;
     this.label = label;
     this.box = h('div', {class: 'chart', id: `chart-${id}`});
-    this.queue = Promise.resolve();
-    charts.set(id, 'waiting');
+    /** @type {() => void} */
+    this.render = () => {};
+    /** @type {View | undefined} */
+    this.view = undefined;
+    account(id, 'waiting');
   }
 
-  /** No data: says so in the chart's place. */
-  empty(why) {
-    account(this.id, 'empty');
-    this.box.replaceChildren(h('p', {class: 'empty'}, `Not drawn: ${why}`));
-  }
-
-  /** There is data, but words say more than a picture; after whatever is still being drawn here. */
+  /** There is data, but words say more than a picture.
+   * @param {string} text
+   */
   say(text) {
-    this.queue = this.queue.then(() => {
-      this.box.replaceChildren(h('p', {class: 'empty'}, text));
-      account(this.id, 'drawn');
+    this.clear();
+    this.box.append(h('p', {class: 'empty'}, text));
+    account(this.id, 'drawn');
+  }
+
+  /**
+   * @param {Spec} spec of Vega-Lite
+   * @param {(spec: Spec) => Spec} [patch] of the Vega that it becomes
+   */
+  draw(spec, patch = (vega) => vega) {
+    this.render = () => {
+      this.clear();
+      this.embed(spec, patch);
+    };
+    if (this.box.isConnected) this.render();
+    else detached.add(this);
+  }
+
+  clear() {
+    detached.delete(this);
+    this.view?.finalize();
+    this.view = undefined;
+    this.box.replaceChildren();
+    this.box.removeAttribute('role');
+    this.box.removeAttribute('aria-label');
+  }
+
+  /**
+   * @param {Spec} spec
+   * @param {(spec: Spec) => Spec} patch
+   */
+  embed(spec, patch) {
+    const full = {
+      $schema: 'https://vega.github.io/schema/vega-lite/v6.json',
+      width: 'container',
+      autosize: {type: 'fit', contains: 'padding'},
+      ...spec,
+      config
+    };
+    const compiled = compile(/** @type {any} */ (full), {logger: logger(kErrorsOnly)}).spec;
+    this.view = new View(parse(/** @type {any} */ (patch(compiled))), {
+      renderer: 'svg',
+      logLevel: kErrorsOnly
     });
-  }
-
-  /** Draws after whatever is still being drawn here. */
-  draw(spec, patch) {
-    this.queue = this.queue.then(() => this.embed(spec, patch)).catch(reportError);
-    return this.queue;
-  }
-
-  async embed(spec, patch) {
-    const full = {width: 'container', autosize: {type: 'fit', contains: 'padding'}, ...spec, description: this.label, config};
-    this.view?.finalize();  // before its place is cleared: a window resized meanwhile would find it without width
-    const result = await vegaEmbed(this.box, full, {mode: 'vega-lite', renderer: 'svg', actions: false, ast: false, patch,
-                                                     tooltip: {theme: 'custom', disableDefaultStyle: true}, logLevel: 1});
-    this.view = result.view;
-    charts.set(this.id, this.box.querySelector('svg') ? 'drawn' : 'waiting');
-    publish();
+    this.view.initialize(this.box).tooltip(tooltip.call).hover().run();
+    const picture = this.box.querySelector('svg');
+    picture?.setAttribute('aria-hidden', 'true'); // the box speaks for the marks, of which there are thousands
+    this.box.setAttribute('role', 'img');
+    this.box.setAttribute('aria-label', this.label);
+    account(this.id, picture ? 'drawn' : 'empty');
   }
 }
 
-/** A figure: heading, controls, chart, caption. */
-export function figure(title, controls, charts_, caption) {
-  return h('figure', {}, h('h3', {}, title), controls, charts_, caption ? h('figcaption', {}, caption) : null);
+/** Draws the charts whose boxes have come into the page. */
+export function drawAttached() {
+  for (const chart of [...detached]) if (chart.box.isConnected) chart.render();
 }
 
 /** Lines of a logarithmic axis at its decades only. */

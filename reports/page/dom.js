@@ -1,6 +1,14 @@
 // Elements without a framework.
 
-/** h('p', {class: 'x', onclick: f}, 'text', child, [more children]) */
+/** @typedef {import('./palette.js').Look} Look */
+
+/** h('p', {class: 'x', onclick: f}, 'text', child, [more children])
+ * @template {keyof HTMLElementTagNameMap} T
+ * @param {T} tag
+ * @param {Record<string, any>} attributes
+ * @param {any[]} children
+ * @returns {HTMLElementTagNameMap[T]}
+ */
 export function h(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -13,6 +21,7 @@ export function h(tag, attributes = {}, ...children) {
 }
 
 const SVG = 'http://www.w3.org/2000/svg';
+/** @type {Record<string, string>} */
 const PATHS = {
   circle: 'M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0',
   square: 'M-4.4,-4.4h8.8v8.8h-8.8z',
@@ -29,13 +38,28 @@ function svg(tag, attributes) {
   return element;
 }
 
-/** A legend swatch: a line with its dash, or a symbol; a look that has both is a line. */
+/** A legend swatch: a line with its dash, or a symbol; a look that has both is a line.
+ * @param {{color: string, dash?: number[], shape?: string}} look
+ */
 export function swatch({color, dash, shape}) {
-  const picture = svg('svg', {width: dash ? 26 : 14, height: 14, viewBox: dash ? '-13 -7 26 14' : '-7 -7 14 14', 'aria-hidden': 'true'});
+  const picture = svg('svg', {
+    width: dash ? 26 : 14,
+    height: 14,
+    viewBox: dash ? '-13 -7 26 14' : '-7 -7 14 14',
+    'aria-hidden': 'true'
+  });
   if (dash) {
-    picture.append(svg('path', {d: 'M-13,0H13', stroke: color, 'stroke-width': 2.5, 'stroke-dasharray': dash.join(' '), fill: 'none'}));
+    picture.append(
+      svg('path', {
+        d: 'M-13,0H13',
+        stroke: color,
+        'stroke-width': 2.5,
+        'stroke-dasharray': dash.join(' '),
+        fill: 'none'
+      })
+    );
   } else {
-    picture.append(svg('path', {d: PATHS[shape], fill: color}));
+    picture.append(svg('path', {d: PATHS[shape ?? 'circle'], fill: color}));
   }
   return picture;
 }
@@ -43,18 +67,40 @@ export function swatch({color, dash, shape}) {
 /** A row of toggle buttons that wraps; `items`: {key, label, swatch, on}. Items off at the start fold away. */
 export function toggles(label, items, changed) {
   const buttons = items.map((item) => {
-    const button = h('button', {type: 'button', class: 'toggle', 'aria-pressed': String(item.on), title: item.title, onclick: () => {
-      item.on = !item.on;
-      button.setAttribute('aria-pressed', String(item.on));
-      changed(items.filter((i) => i.on).map((i) => i.key));
-    }}, item.swatch ?? '', item.label);
+    const button = h(
+      'button',
+      {
+        type: 'button',
+        class: 'toggle',
+        'aria-pressed': String(item.on),
+        title: item.title,
+        onclick: () => {
+          item.on = !item.on;
+          button.setAttribute('aria-pressed', String(item.on));
+          changed(items.filter((i) => i.on).map((i) => i.key));
+        }
+      },
+      item.swatch ?? '',
+      item.label
+    );
     return button;
   });
   const few = items.length <= 6;
   const first = buttons.filter((_, i) => few || items[i].on);
   const folded = buttons.filter((b) => !first.includes(b));
-  return h('div', {class: 'toggles', role: 'group', 'aria-label': label}, first,
-    folded.length ? h('details', {class: 'more'}, h('summary', {}, `${folded.length} more`), h('div', {class: 'toggles'}, folded)) : null);
+  return h(
+    'div',
+    {class: 'toggles', role: 'group', 'aria-label': label},
+    first,
+    folded.length
+      ? h(
+          'details',
+          {class: 'more'},
+          h('summary', {}, `${folded.length} more`),
+          h('div', {class: 'toggles'}, folded)
+        )
+      : null
+  );
 }
 
 let radioGroups = 0;
@@ -62,20 +108,52 @@ let radioGroups = 0;
 /** One choice of several, as a segmented control. */
 export function choice(label, options, initial, changed) {
   const name = `choice-${++radioGroups}`;
-  return h('fieldset', {class: 'choice'}, h('legend', {}, label), options.map(({key, label: text}) =>
-    h('label', {}, h('input', {type: 'radio', name, value: key, checked: key === initial, onchange: () => changed(key)}), h('span', {}, text))));
+  return h(
+    'fieldset',
+    {class: 'choice'},
+    h('legend', {}, label),
+    options.map(({key, label: text}) =>
+      h(
+        'label',
+        {},
+        h('input', {type: 'radio', name, value: key, checked: key === initial, onchange: () => changed(key)}),
+        h('span', {}, text)
+      )
+    )
+  );
 }
 
 /** One choice of many. */
 export function select(label, options, initial, changed) {
-  return h('label', {class: 'select'}, h('span', {}, label), h('select', {onchange: (e) => changed(e.target.value)},
-    options.map(({key, label: text}) => h('option', {value: key, selected: key === initial}, text))));
+  return h(
+    'label',
+    {class: 'select'},
+    h('span', {}, label),
+    h(
+      'select',
+      {onchange: (e) => changed(e.target.value)},
+      options.map(({key, label: text}) => h('option', {value: key, selected: key === initial}, text))
+    )
+  );
 }
 
 /** Legend buttons, of which one or none is pressed: changed(key), or changed(null) after a second click. */
 export function isolate(label, items, changed) {
   let chosen = null;
-  const buttons = items.map((item) => h('button', {type: 'button', class: 'toggle isolate', 'aria-pressed': 'false', title: item.title, onclick: () => press(item.key)}, item.swatch ?? '', item.label));
+  const buttons = items.map((item) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'toggle isolate',
+        'aria-pressed': 'false',
+        title: item.title,
+        onclick: () => press(item.key)
+      },
+      item.swatch ?? '',
+      item.label
+    )
+  );
   const press = (key) => {
     chosen = chosen === key ? null : key;
     buttons.forEach((b, i) => b.setAttribute('aria-pressed', String(items[i].key === chosen)));
@@ -83,19 +161,42 @@ export function isolate(label, items, changed) {
     changed(chosen);
   };
   const box = h('div', {class: 'toggles', role: 'group', 'aria-label': label}, buttons);
-  const folds = items.length > 8 && window.matchMedia('(max-width: 640px)').matches;  // else the chart is a screen away
+  const folds = items.length > 8 && window.matchMedia('(max-width: 640px)').matches; // else the chart is a screen away
   return folds ? h('details', {class: 'more'}, h('summary', {}, `${label} (${items.length})`), box) : box;
 }
 
 /** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row. */
 export function plainTable(label, columns, rows, caption) {
-  const cell = (content, i) => h(i ? 'td' : 'th', {scope: i ? null : 'row', class: columns[i].number ? 'number' : null}, content);
-  return scrolling(h('table', {class: 'compact narrow'}, caption ? h('caption', {}, caption) : null,
-    h('thead', {}, h('tr', {}, columns.map((c) => h('th', {scope: 'col', class: c.number ? 'number' : null}, c.text)))),
-    h('tbody', {}, rows.map((r) => h('tr', {class: r.class}, (r.cells ?? r).map(cell))))), label);
+  const cell = (content, i) =>
+    h(i ? 'td' : 'th', {scope: i ? null : 'row', class: columns[i].number ? 'number' : null}, content);
+  return scrolling(
+    h(
+      'table',
+      {class: 'compact narrow'},
+      caption ? h('caption', {}, caption) : null,
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          columns.map((c) => h('th', {scope: 'col', class: c.number ? 'number' : null}, c.text))
+        )
+      ),
+      h(
+        'tbody',
+        {},
+        rows.map((r) => h('tr', {class: r.class}, (r.cells ?? r).map(cell)))
+      )
+    ),
+    label
+  );
 }
+
+/** What is there for those who ask. */
+export const folded = (title, content) => h('details', {class: 'more'}, h('summary', {}, title), content);
 
 /** A table that scrolls sideways by itself on narrow screens. */
 export function scrolling(table, label) {
-  return h('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': label}, table);
+  return h('div', {class: 'scroll', tabindex: '0', role: 'group', 'aria-label': label}, table);
 }

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Looks at a report page in headless Chromium: four screenshots (wide and narrow, light and dark), and a proof
-# that every chart was drawn without a JavaScript error.
+# that every chart was drawn without a JavaScript error. The page draws what comes into view; "#all" asks for
+# everything, and the account is read only after that.
 #
 #   look.sh REPORT_FOLDER [PICTURE_FOLDER]     (default: REPORT_FOLDER/look)
 #
@@ -38,14 +39,15 @@ attribute() { sed -n "s/^.*<html[^>]* data-$1=\"\([^\"]*\)\".*$/\1/p" "$work/dom
 
 for width in 1600 400; do
   for theme in light dark; do
-    address="file://$page?theme=$theme"
+    address="file://$page?theme=$theme#all"
     browse --window-size="$width,1200" --dump-dom "$address" >"$work/dom.html" || fail "$browser failed: $(tail -n 3 "$work/browser.log")"
     state=$(attribute state)
+    [ "$(attribute everything)" = drawn ] || [ "$state" = error ] || state=unfinished
     case $state in
       ready) ;;
-      incomplete) fail "$width px, $theme: charts without data: $(attribute charts-empty)" ;;
+      incomplete) fail "$width px, $theme: parts or charts without data: $(attribute charts-empty)" ;;
       error) fail "$width px, $theme: the page reports: $(attribute errors)" ;;
-      *) fail "$width px, $theme: the page never got ready (state: ${state:-none}; drawn: $(attribute charts-drawn))" ;;
+      *) fail "$width px, $theme: the page never got ready (state: ${state:-none}; drawn: $(attribute charts-drawn); promised: $(attribute charts-promised))" ;;
     esac
     height=$(attribute height)
     [ "${height:-0}" -gt 0 ] || fail "$width px, $theme: the page has no height"
@@ -54,6 +56,6 @@ for width in 1600 400; do
     picture="$pictures/page-$width-$theme.png"
     browse --window-size="$width,$height" --screenshot="$picture" "$address" >/dev/null || fail "$browser failed: $(tail -n 3 "$work/browser.log")"
     [ -s "$picture" ] || fail "$picture: not written"
-    say "$picture: $(attribute charts-drawn | wc -w) charts drawn"
+    say "$picture: $(attribute charts-drawn | wc -w) parts and charts drawn"
   done
 done

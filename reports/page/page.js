@@ -1,76 +1,104 @@
-// The report page: sections in reading order, all from the results inlined in the page.
-import {accuracyFigure} from './charts/accuracy.js';
-import {bucklingFigure} from './charts/buckling.js';
-import {curvesFigure} from './charts/curves.js';
-import {loopWorkFigure} from './charts/loop_work.js';
-import {reportError, seal} from './chart.js';
+// The report page: its questions in reading order, all answered from the results inlined in the page.
+import {reportError, seal} from './account.js';
 import {Results} from './data.js';
 import {h} from './dom.js';
-import {findingsTable} from './sections/findings_table.js';
-import {formulationsTable} from './sections/formulations_table.js';
-import {firstKind, headline} from './sections/headline.js';
-import {leftOut} from './sections/left_out.js';
-import {propertyMatrix} from './sections/matrix.js';
-import {provenance} from './sections/provenance.js';
-import {reading} from './sections/reading.js';
-import {solidsSection} from './sections/solids.js';
-import {speedSection} from './sections/speed.js';
-import {stabilitySection} from './sections/stability.js';
-import {table1} from './sections/table1.js';
+import {firstKind} from './headline_data.js';
+import {paletteStyle} from './palette.js';
+import {EVERYTHING, Part, Parts} from './parts.js';
+import {headline} from './sections/headline.js';
+import {signNote} from './sections/notes.js';
+import {numberParts} from './sections/numbers.js';
+import {speedNote, speedParts} from './sections/speed.js';
+import {stabilityParts} from './sections/stability.js';
+import {truthParts} from './sections/truth.js';
+import {whichParts} from './sections/which.js';
 
-const THETA = {theta_x: 'θ₁', theta_y: 'θ₂', theta_z: 'θ₃'};
-const panel = (output) => ({output, title: THETA[output], unit: 'rad'});
-const MOMENT = {title: 'moment M', unit: 'N·m'};
-const FORCE = {title: 'force f in each direction', unit: 'N'};
+/** @typedef {{id: string, title: string, note?: Node, parts: Part[]}} Question */
 
-/** The paper's figures: its scenes, its axes. */
-const FIGURES = [
-  {id: 'fig3', scene: 'c2', title: 'Fig. 3: parallelepiped, small moment', load: MOMENT, panels: [panel('theta_y')],
-   caption: 'Rotation about the axis that carries no moment. The paper reports that its 3D finite elements lie on the invariant curve.'},
-  {id: 'fig6', scene: 'c4', title: 'Fig. 6: frustum, small moment', load: MOMENT, panels: [panel('theta_y')],
-   caption: 'An asymmetric part: the paper fits its finite elements by ξ = 0.55 rather than 0.5.'},
-  {id: 'fig4', scene: 'c3', title: 'Fig. 4: parallelepiped, large moment and buckling', load: MOMENT, wide: true,
-   panels: ['theta_x', 'theta_y', 'theta_z'].map((o) => ({...panel(o), height: 300})),
-   caption: 'The three components of the rotation vector up to 1800 N·m.'},
-  {id: 'fig7', scene: 'c6', title: 'Fig. 7: compression with shear', load: FORCE, panels: [panel('theta_y')],
-   caption: 'Bending that a linear analysis misses, under equal compression along axis 1 and shear along axis 3.'},
-  {id: 'fig9', scene: 'c7', title: 'Fig. 9: elastomeric bearing', load: FORCE, panels: [panel('theta_z')],
-   caption: 'Quadratic in the force; the paper fits its finite elements by ξ = −0.435917.'}
-];
-
-const NAV = [['accuracy', 'Accuracy'], ['formulations', 'Formulations'], ['speed', 'Speed'], ['table1', 'Table 1'], ['figures', 'Figures'], ['stability', 'Failures'], ['solids', '3D truth'], ['properties', 'Properties'],
-  ['findings', 'Findings'], ['left-out', 'Left out'], ['reading', 'Reading'], ['provenance', 'Source']];
-
-function build(results, raw) {
-  const kind = firstKind(results);
-  const figures = FIGURES.map((f) => {
-    const figure = curvesFigure(results, f);
-    if (f.wide) figure.classList.add('wide');
-    return figure;
-  });
-  document.getElementById('nav').append(...NAV.map(([id, text]) => h('a', {href: `#${id}`}, text)));
-  document.getElementById('subtitle').textContent = `deformable joints · ${results.context.commit} · ${results.context.date}`;
-  document.getElementById('main').append(
-    headline(results, kind),
-    h('div', {class: 'first'}, accuracyFigure(results, kind), formulationsTable(results)),
-    speedSection(results, kind), table1(results),
-    h('section', {'aria-labelledby': 'figures'}, h('h2', {id: 'figures'}, 'The paper’s figures, computed again'), h('div', {class: 'figures'}, figures, bucklingFigure(results), loopWorkFigure(results))),
-    stabilitySection(results), solidsSection(results), propertyMatrix(results), findingsTable(results), leftOut(results), reading(), provenance(results, raw));
+/**
+ * @param {Results} results
+ * @param {string} raw
+ * @param {string} kind
+ * @returns {Question[]}
+ */
+function questionsOf(results, raw, kind) {
+  const parts = (/** @type {import('./parts.js').PartSpec[]} */ specs) => specs.map((spec) => new Part(spec));
+  const sign = h('p', {class: 'note'}, signNote());
+  return [
+    {id: 'which', title: 'Which one?', parts: parts(whichParts(results, kind))},
+    {id: 'speed', title: 'How fast?', note: speedNote(results), parts: parts(speedParts(results, kind))},
+    {id: 'stability', title: 'Where does it fail?', note: sign, parts: parts(stabilityParts(results))},
+    {id: 'truth', title: 'Who is right?', note: sign.cloneNode(true), parts: parts(truthParts(results))},
+    {id: 'numbers', title: 'Every number', parts: parts(numberParts(results, raw))}
+  ];
 }
 
+/** @param {Question} question */
+const section = ({id, title, note, parts}) =>
+  h(
+    'section',
+    {class: `question ${id}`, id, 'aria-labelledby': `${id}-title`},
+    h('h2', {id: `${id}-title`}, title),
+    note ?? '',
+    h(
+      'div',
+      {class: 'parts'},
+      parts.map((p) => p.section)
+    )
+  );
+
+/** The table of contents, by question.
+ * @param {Question[]} questions
+ */
+function contents(questions) {
+  const link = (/** @type {string} */ id, /** @type {string} */ text) => h('a', {href: `#${id}`}, text);
+  const entries = (/** @type {Part[]} */ parts) =>
+    parts.map((p) => h('li', {}, link(p.spec.id, p.spec.title)));
+  return h(
+    'nav',
+    {class: 'contents', 'aria-label': 'Contents by question'},
+    questions.map(({id, title, parts}) =>
+      h(
+        'details',
+        {},
+        h('summary', {}, title),
+        h('ul', {}, h('li', {}, link(id, `All: ${title}`)), entries(parts))
+      )
+    ),
+    h('a', {class: 'everything', href: EVERYTHING}, 'Draw everything (to search or save the page)')
+  );
+}
+
+/** @param {string} raw */
+function build(raw) {
+  const results = new Results(JSON.parse(raw));
+  const kind = firstKind(results);
+  const questions = questionsOf(results, raw, kind);
+  const {commit, date} = results.context;
+  document.getElementById('nav')?.append(...questions.map(({id, title}) => h('a', {href: `#${id}`}, title)));
+  document.getElementById('subtitle')?.append(` · ${commit} · ${date}`);
+  main().append(headline(results, kind), contents(questions), ...questions.map(section));
+  new Parts(questions.flatMap((q) => q.parts)).watch();
+  seal();
+}
+
+const main = () => document.getElementById('main') ?? document.body;
+
 const logged = console.error;
-console.error = (...parts) => { reportError(parts.join(' ')); logged(...parts); };
+console.error = (...parts) => {
+  reportError(parts.join(' '));
+  logged(...parts);
+};
 window.addEventListener('error', (event) => reportError(event.error ?? event.message));
 window.addEventListener('unhandledrejection', (event) => reportError(event.reason));
 
 const theme = new URLSearchParams(location.search).get('theme');
 if (theme === 'dark' || theme === 'light') document.documentElement.dataset.theme = theme;
+document.head.append(h('style', {}, paletteStyle()));
 
 try {
-  const raw = document.getElementById('results').textContent;
-  build(new Results(JSON.parse(raw)), raw);
-  seal();
+  build(document.getElementById('results')?.textContent ?? '');
 } catch (error) {
-  document.getElementById('main').append(h('p', {class: 'empty'}, `The results cannot be shown: ${error.message}`));
+  main().append(h('p', {class: 'empty'}, `The results cannot be shown: ${error}`));
   reportError(error);
 }

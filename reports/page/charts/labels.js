@@ -5,12 +5,28 @@ import {FONT, isNarrow} from '../chart.js';
 export function withLabels(spec) {
   const group = spec.marks.find((m) => m.name === 'points_marks') ? spec : null;
   if (!group) throw new Error('labels: the point layer is missing');
-  const front = group.marks.find((m) => m.name?.startsWith('front_'));  // one line, or a group of them
+  const front = group.marks.find((m) => m.name?.startsWith('front_')); // one line, or a group of them
   group.marks.push({
-    type: 'text', interactive: false, from: {data: 'points_marks'},
-    encode: {enter: {text: {field: 'datum.label'}, fontSize: {value: isNarrow() ? 11 : 12}, font: {value: FONT}, fill: {value: 'var(--ink)'}}},
-    transform: [{type: 'label', size: {signal: '[max(1, width), max(1, height)]'}, avoidMarks: ['points_marks', front?.name].filter(Boolean),
-                 anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'], offset: [5]}]
+    type: 'text',
+    interactive: false,
+    from: {data: 'points_marks'},
+    encode: {
+      enter: {
+        text: {field: 'datum.label'},
+        fontSize: {value: isNarrow() ? 11 : 12},
+        font: {value: FONT},
+        fill: {value: 'var(--ink)'}
+      }
+    },
+    transform: [
+      {
+        type: 'label',
+        size: {signal: '[max(1, width), max(1, height)]'},
+        avoidMarks: ['points_marks', front?.name].filter(Boolean),
+        anchor: ['right', 'left', 'top', 'bottom', 'top-right', 'bottom-right', 'top-left', 'bottom-left'],
+        offset: [5]
+      }
+    ]
   });
   return spec;
 }

@@ -1,9 +1,16 @@
 // Geometry of the 3D pictures: turning, the order of painting, the edges of a body's outline. No drawing here.
 
-/** Coordinates 1, 2, 3 seen from a turntable about axis 1, which points up: right, up, toward the viewer. yaw, pitch in rad. */
+/** Coordinates 1, 2, 3 seen from a turntable about axis 1, which points up: right, up, toward the viewer.
+ * @param {number[]} point
+ * @param {{yaw: number, pitch: number}} view rad
+ */
 export function turn([x1, x2, x3], {yaw, pitch}) {
-  const c = Math.cos(yaw), s = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
-  const across = x2 * c - x3 * s, away = x2 * s + x3 * c;
+  const c = Math.cos(yaw),
+    s = Math.sin(yaw),
+    cp = Math.cos(pitch),
+    sp = Math.sin(pitch);
+  const across = x2 * c - x3 * s,
+    away = x2 * s + x3 * c;
   return [across, x1 * cp + away * sp, x1 * sp - away * cp];
 }
 
@@ -21,7 +28,10 @@ export function normal([a, b, c, d]) {
 
 /** Middle and half diagonal of the box round the points. */
 export function ball(points) {
-  const ends = [0, 1, 2].map((k) => [Math.min(...points.map((p) => p[k])), Math.max(...points.map((p) => p[k]))]);
+  const ends = [0, 1, 2].map((k) => [
+    Math.min(...points.map((p) => p[k])),
+    Math.max(...points.map((p) => p[k]))
+  ]);
   return {centre: ends.map(([a, b]) => (a + b) / 2), radius: size(ends.map(([a, b]) => (b - a) / 2)) || 1};
 }
 
@@ -30,24 +40,34 @@ export function outline(faces, X, degrees = 30) {
   const limit = Math.cos((degrees * Math.PI) / 180);
   const normals = faces.map((f) => normal(f.map((n) => X[n])));
   const edges = new Map();
-  faces.forEach((face, f) => face.forEach((a, i) => {
-    const b = face[(i + 1) % 4];
-    const key = a < b ? `${a} ${b}` : `${b} ${a}`;
-    edges.set(key, [...(edges.get(key) ?? []), f]);
-  }));
-  return [...edges].filter(([, [f, g]]) => g === undefined || Math.abs(dot(normals[f], normals[g])) < limit).map(([key]) => key.split(' ').map(Number));
+  faces.forEach((face, f) =>
+    face.forEach((a, i) => {
+      const b = face[(i + 1) % 4];
+      const key = a < b ? `${a} ${b}` : `${b} ${a}`;
+      edges.set(key, [...(edges.get(key) ?? []), f]);
+    })
+  );
+  return [...edges]
+    .filter(([, [f, g]]) => g === undefined || Math.abs(dot(normals[f], normals[g])) < limit)
+    .map(([key]) => key.split(' ').map(Number));
 }
 
 /** The same faces, each counter-clockwise seen from outside; the surface is closed. */
 export function outward(faces, X) {
-  const volume = faces.reduce((sum, f) => sum + dot(X[f[0]], cross(minus(X[f[2]], X[f[0]]), minus(X[f[3]], X[f[1]]))), 0);
+  const volume = faces.reduce(
+    (sum, f) => sum + dot(X[f[0]], cross(minus(X[f[2]], X[f[0]]), minus(X[f[3]], X[f[1]]))),
+    0
+  );
   return volume < 0 ? faces.map((f) => [...f].reverse()) : faces;
 }
 
 /** Indices of the faces that look at the viewer, farthest first (painter's algorithm), for points already turned. */
 export function farthestFirst(faces, seen) {
   const near = faces.map((f) => f.reduce((sum, n) => sum + seen[n][2], 0));
-  return faces.map((_, i) => i).filter((i) => normal(faces[i].map((n) => seen[n]))[2] > 0).sort((a, b) => near[a] - near[b]);
+  return faces
+    .map((_, i) => i)
+    .filter((i) => normal(faces[i].map((n) => seen[n]))[2] > 0)
+    .sort((a, b) => near[a] - near[b]);
 }
 
 const kLight = [-0.3, 0.5, 0.81];

@@ -2,17 +2,40 @@
 import {h} from '../dom.js';
 import {seconds} from '../format.js';
 
+/** @param {import('../data.js').Results} results */
 export function provenance(results, raw) {
   const c = results.context;
-  const rows = [['machine', c.machine], ['compiler', c.compiler], ['flags', c.flags], ['build type', c.build_type], ['commit', c.commit], ['date', c.date],
-    ...Object.entries(results.durations).map(([stage, s]) => [`time: ${stage}`, seconds(s)])];
+  const rows = [
+    ['machine', c.machine],
+    ['compiler', c.compiler],
+    ['flags', c.flags],
+    ['build type', c.build_type],
+    ['commit', c.commit],
+    ['date', c.date],
+    ...Object.entries(results.durations).map(([stage, s]) => [`time: ${stage}`, seconds(s)])
+  ];
   const save = () => {
-    const link = h('a', {href: URL.createObjectURL(new Blob([raw], {type: 'application/json'})), download: 'results.json'});
+    const link = h('a', {
+      href: URL.createObjectURL(new Blob([raw], {type: 'application/json'})),
+      download: 'results.json'
+    });
     link.click();
     URL.revokeObjectURL(link.href);
   };
-  return h('section', {'aria-labelledby': 'provenance'}, h('h2', {id: 'provenance'}, 'Where this comes from'),
-    h('p', {}, 'Reproduce with ', h('code', {class: 'command'}, results.command), ' in a checkout of the commit below. The numbers of this page are inside it: ',
-      h('button', {type: 'button', class: 'plain', onclick: save}, 'save results.json'), '.'),
-    h('dl', {class: 'facts'}, rows.filter(([, v]) => v).flatMap(([k, v]) => [h('dt', {}, k), h('dd', {}, v)])));
+  return [
+    h(
+      'p',
+      {},
+      'Reproduce with ',
+      h('code', {class: 'command'}, results.command),
+      ' in a checkout of the commit below. The numbers of this page are inside it: ',
+      h('button', {type: 'button', class: 'plain', onclick: save}, 'save results.json'),
+      '.'
+    ),
+    h(
+      'dl',
+      {class: 'facts'},
+      rows.filter(([, v]) => v).flatMap(([k, v]) => [h('dt', {}, k), h('dd', {}, v)])
+    )
+  ];
 }

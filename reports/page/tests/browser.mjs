@@ -1,0 +1,44 @@
+// Chromium, and the page to look at: a report's index.html, or the bundle with the tests' own results.
+import {accessSync, readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+import {fixture} from './fixture.mjs';
+
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
+const QUIET = ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'];
+const ARGUMENTS = ['--no-sandbox', '--disable-component-update', '--disable-sync', ...QUIET];
+
+/** @param {string} file */
+function isThere(file) {
+  try {
+    accessSync(file);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** The browser's program, or undefined. */
+export function browserFile() {
+  const folders = (process.env.PATH ?? '').split(':');
+  const named = process.env.CHROMIUM;
+  if (named?.includes('/')) return named;
+  return (named ? [named] : NAMES).flatMap((n) => folders.map((f) => join(f, n))).find(isThere);
+}
+
+export const launch = () => chromium.launch({executablePath: browserFile(), args: ARGUMENTS});
+
+/** Address of the page: PAGE_UNDER_TEST, or PAGE_BUNDLE with results that are written into it as C++ does. */
+export function pageAddress(results = fixture()) {
+  const report = process.env.PAGE_UNDER_TEST;
+  if (report) return pathToFileURL(report).href;
+  const bundle = process.env.PAGE_BUNDLE ?? '';
+  const json = JSON.stringify(results).replaceAll('<', '\\u003c');
+  const file = `${bundle}.${process.pid}.html`;
+  writeFileSync(
+    file,
+    readFileSync(bundle, 'utf8').replace('@HALFWAY_RESULTS@', () => json)
+  );
+  return pathToFileURL(file).href;
+}
