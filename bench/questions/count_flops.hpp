@@ -53,7 +53,8 @@ void count_kernel(Flops& flops, const Inputs& in, const std::string& variant) {
   flops[name] = kernel_flops<F, kind, with_tangent, Accuracy, E>(in);
 }
 
-template <class F, Kind kind, bool with_tangent>
+/// @tparam lean  also of joints without ends: what the lean batches do
+template <class F, Kind kind, bool with_tangent, bool lean>
 void count(Flops& flops) {
   using Ends = kernel::Ends<reference::Counting>;
   const Inputs in = inputs_of<F>(kind);
@@ -61,17 +62,19 @@ void count(Flops& flops) {
       transcription_flops<F, kind, with_tangent>(in);
   if constexpr (kernel::kHasKernel<F>) {
     count_kernel<F, kind, with_tangent, kernel::Accuracy<>, Ends>(flops, in, "");
-    count_kernel<F, kind, with_tangent, kernel::Accuracy<>, kernel::NoEnds>(flops, inputs_of<F>(kind, false),
-                                                                            "/no_ends");
+    if constexpr (lean) {
+      const Inputs bare = inputs_of<F>(kind, false);
+      count_kernel<F, kind, with_tangent, kernel::Accuracy<>, kernel::NoEnds>(flops, bare, "/no_ends");
+    }
   }
 }
 
-template <class F>
+template <class F, bool lean>
 Flops count() {
   Flops flops;
-  count<F, Kind::angular, false>(flops), count<F, Kind::angular, true>(flops);
-  count<F, Kind::linear, false>(flops), count<F, Kind::linear, true>(flops);
-  count<F, Kind::linear_angular, false>(flops), count<F, Kind::linear_angular, true>(flops);
+  count<F, Kind::angular, false, lean>(flops), count<F, Kind::angular, true, lean>(flops);
+  count<F, Kind::linear, false, lean>(flops), count<F, Kind::linear, true, lean>(flops);
+  count<F, Kind::linear_angular, false, lean>(flops), count<F, Kind::linear_angular, true, lean>(flops);
   return flops;
 }
 
