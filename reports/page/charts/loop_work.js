@@ -8,7 +8,7 @@ import {KIND_SHAPES, look} from '../palette.js';
 export function loopWorkFigure(results) {
   const chart = new Chart('loop-work', 'Slope of the loop work in the amplitude, per formulation, for formulations that do net work round a closed loop.');
   const measured = (property) => results.findings.filter((f) => f.name.endsWith(`/${property}`) && f.verdict !== 'left_out' && isNumber(f.value));
-  const sloped = measured('loop_slope');
+  const sloped = measured('loop_order').filter((f) => f.comparison === 'equal');  // the others do no work
   const rows = sloped.map((f) => ({formulation: f.formulation, kind: f.kind, kind_label: kindLabel(f.kind), value: f.value,
     low: f.comparison === 'within' ? f.low : f.expected - f.high, high: f.comparison === 'within' ? f.high : f.expected + f.high,
     verdict: VERDICTS[f.verdict].label, shown: short(f.value, 3), reason: f.reason}));

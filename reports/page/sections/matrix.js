@@ -3,7 +3,7 @@ import {KINDS, ORACLES, VERDICTS} from '../data.js';
 import {choice, h, scrolling} from '../dom.js';
 import {full, short} from '../format.js';
 
-const ORDER = ['force_balance', 'moment_balance', 'node_order', 'objectivity', 'tangent', 'symmetry', 'energy_gradient', 'loop_work', 'loop_slope',
+const ORDER = ['force_balance', 'moment_balance', 'node_order', 'objectivity', 'tangent', 'symmetry', 'energy_gradient', 'loop_work', 'loop_order',
   'fingerprint_alpha', 'fingerprint_beta', 'rounding', 'rounding_tangent'];
 const isProperty = (name) => name !== 'modelling_error' && !name.startsWith('fe_');  // errors have tables of their own
 
@@ -18,7 +18,7 @@ function columnsOf(results, kind) {
 export function story(f) {
   const unit = f.unit && f.unit !== '-' ? ` ${f.unit}` : '';
   if (f.verdict === 'left_out') return `left out: ${f.reason}`;
-  const held = {at_most: `at most ${short(f.high, 3)}${unit}`, within: `between ${short(f.low, 3)} and ${short(f.high, 3)}${unit}`,
+  const held = {at_most: `at most ${short(f.high, 3)}${unit}`, at_least: `at least ${short(f.low, 3)}${unit}`, within: `between ${short(f.low, 3)} and ${short(f.high, 3)}${unit}`,
                 equal: `${full(f.expected)}${unit} within ${short(f.high, 2)}`, report: 'nothing, a measured number'}[f.comparison];
   return `${VERDICTS[f.verdict].label}: ${full(f.value)}${unit}, held against ${held}; oracle: ${ORACLES[f.oracle] ?? f.oracle}` +
     (f.uncertainty > 0 ? ` (known to ${short(f.uncertainty)})` : '') + (f.parameter ? `; worst case: ${f.parameter}` : '') + (f.reason ? `; why this limit: ${f.reason}` : '');
