@@ -11,6 +11,8 @@
 namespace halfway::verify {
 
 using reference::Comparison;
+using reference::Draft;
+using reference::finding;
 using reference::Finding;
 using reference::Oracle;
 using reference::Verdict;

@@ -26,6 +26,8 @@ std::string limits(const Finding& f) {
   switch (f.comparison) {
     case Comparison::at_most:
       return fmt::format("limit {:.3g}", f.high);
+    case Comparison::at_least:
+      return fmt::format("at least {:.3g}", f.low);
     case Comparison::within:
       return fmt::format("band {:.3g} ... {:.3g}", f.low, f.high);
     case Comparison::equal:
@@ -36,8 +38,10 @@ std::string limits(const Finding& f) {
 }
 
 std::string line(const Finding& f) {
-  return fmt::format("{}: {} {:.17g} {} ({}; {}) {}{}", to_string(f.verdict), f.name, f.value, f.unit,
-                     limits(f), to_string(f.oracle), f.parameter.empty() ? "" : "worst at " + f.parameter,
+  const std::string why = missing(f);
+  return fmt::format("{}: {} {:.17g} {} ({}; {}){} {}{}", to_string(f.verdict), f.name, f.value, f.unit,
+                     limits(f), to_string(f.oracle), why.empty() ? "" : " " + why + ";",
+                     f.parameter.empty() ? "" : "worst at " + f.parameter,
                      f.reason.empty() ? "" : "; " + f.reason);
 }
 

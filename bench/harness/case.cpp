@@ -1,5 +1,6 @@
 #include "bench/harness/case.hpp"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -24,7 +25,11 @@ void run_case(benchmark::State& state, const Case& c) {
 const Checked& checked(const Case& c) {
   static std::map<std::string, Checked> done;
   const auto it = done.find(c.name);
-  return it != done.end() ? it->second : done.emplace(c.name, c.check()).first->second;
+  if (it != done.end()) return it->second;
+  Checked out = c.check();
+  if (out.message.empty() && !std::isfinite(out.error))
+    out.message = "the check measured nothing, or no number";
+  return done.emplace(c.name, std::move(out)).first->second;
 }
 
 void time_by(Case& c, std::function<void(int)> evaluate) {

@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace halfway::bench {
 
 /// Outcome of the check: worst relative error, and what is wrong.
 struct Checked {
-  double error = 0;
-  std::string message{};  ///< empty: passed
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: nothing was measured, which fails
+  std::string message{};                                    ///< empty: passed
   std::vector<ErrorAt> errors{};
 };
 

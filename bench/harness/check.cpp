@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace halfway::bench {
 namespace {
 
+using reference::larger, reference::Measurement;
 using reference::Real50;
 
 struct Truth {
@@ -37,24 +36,6 @@ Truth truth(const reference::Entry& entry, const Inputs& in, int i, bool with_ta
   return t;
 }
 
-/// Largest entry of |value - exact|; a NaN is an infinite error.
-template <class D, class R>
-double largest_difference(const D& value, const R& exact) {
-  double worst = 0;
-  for (Eigen::Index i = 0; i < value.size(); ++i) {
-    const double difference = std::abs(double(Real50(value(i)) - exact(i)));
-    worst = std::max(worst, std::isfinite(difference) ? difference : HUGE_VAL);
-  }
-  return worst;
-}
-
-template <class R>
-double largest_entry(const R& exact) {
-  double worst = 0;
-  for (Eigen::Index i = 0; i < exact.size(); ++i) worst = std::max(worst, std::abs(double(exact(i))));
-  return worst;
-}
-
 /// A few roundings, multiplied near pi by the poles of cayley and Euler measures (4 / (pi - 3) = 28 in
 /// the tangent at our largest angle): 256 eps. Poses are absolute, so a small strain is what
 /// cancellation leaves of rotations and offsets of order one, each three products from the data: 4 eps
@@ -62,7 +43,7 @@ double largest_entry(const R& exact) {
 double limit(double strain, const Tolerance& t) { return 256 * t.eps + 4 * t.eps / strain + t.approximation; }
 
 double error_of_loads(const Evaluated& value, const Truth& t, double stiffness) {
-  return largest_difference(value.loads, t.loads) / std::max(stiffness * t.strain, largest_entry(t.loads));
+  return largest_difference(value.loads, t.loads) / larger(stiffness * t.strain, largest_entry(t.loads));
 }
 double error_of_tangent(const Evaluated& value, const Truth& t) {
   return largest_difference(value.tangent, t.tangent) / largest_entry(t.tangent);
@@ -77,20 +58,19 @@ Checked compare(std::string_view formulation, const Inputs& in, const std::vecto
   const reference::Entry* entry = reference::find_formulation(formulation);
   if (entry == nullptr) return {.message = "not in the registry: nothing to check against"};
   const double stiffness = stiffness_of(in);
-  Checked out;
-  double excess = 1;
+  Measurement worst, excess;  // the latter of what its pose allows
   for (int i = 0; i < int(values.size()); ++i) {
     const bool with_tangent = values[i].tangent.size() > 0;
     const Truth t = truth(*entry, in, i, with_tangent, given);
     const double loads = error_of_loads(values[i], t, stiffness);
-    const double error = with_tangent ? std::max(loads, error_of_tangent(values[i], t)) : loads;
-    out.error = std::max(out.error, error);
+    const double error = with_tangent ? larger(loads, error_of_tangent(values[i], t)) : loads;
     const double allowed = limit(t.strain, tolerance);
-    if (error <= excess * allowed) continue;
-    excess = error / allowed;
-    out.message = fmt::format("pose {}: relative error {:.2e}, limit {:.2e}", i, error, allowed);
+    worst.include(error, {});
+    excess.include(error / allowed,
+                   fmt::format("pose {}: relative error {:.2e}, limit {:.2e}", i, error, allowed));
   }
-  return out;
+  const bool passes = excess.value() <= 1;
+  return {.error = worst.value(), .message = passes ? "" : excess.where()};
 }
 
 std::vector<ErrorAt> errors_by_range(std::string_view formulation, const Inputs& in,
@@ -100,14 +80,15 @@ std::vector<ErrorAt> errors_by_range(std::string_view formulation, const Inputs&
   for (const ErrorAt& range : phi_ranges()) {
     const Inputs moved = moved_into(in, range);
     const std::vector<Evaluated> values = evaluate(moved);
-    ErrorAt worst{range.from, range.to, 0};
+    Measurement worst;
     for (int i = 0; i < int(values.size()); ++i) {
       const bool of_tangent = values[i].tangent.size() > 0;
       const Truth t = truth(entry, moved, i, of_tangent, given);
-      worst.error = std::max(worst.error, of_tangent ? error_of_tangent(values[i], t)
-                                                     : error_of_loads(values[i], t, stiffness_of(moved)));
+      worst.include(
+          of_tangent ? error_of_tangent(values[i], t) : error_of_loads(values[i], t, stiffness_of(moved)),
+          {});
     }
-    errors.push_back(worst);
+    errors.push_back({range.from, range.to, worst.value()});
   }
   return errors;
 }

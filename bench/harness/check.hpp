@@ -4,6 +4,7 @@
 #include "bench/harness/case.hpp"
 #include "bench/harness/inputs.hpp"
 #include "reference/face/registry.hpp"
+#include "reference/record/worst.hpp"
 
 #include <limits>
 #include <string_view>
@@ -32,6 +33,19 @@ Evaluated evaluated(const NodeLoads<double>& r) {
   Evaluated out{r.q, {}};
   if constexpr (with_tangent) out.tangent = r.tangent;
   return out;
+}
+
+/// Largest entry of |value - exact|, of which `exact` has 50 digits.
+template <class D, class R>
+double largest_difference(const D& value, const R& exact) {
+  using reference::Real50;
+  return double(reference::largest_entry<Real50>((value.template cast<Real50>() - exact).eval()));
+}
+
+/// Largest |entry|, in double.
+template <class R>
+double largest_entry(const R& exact) {
+  return double(reference::largest_entry<reference::Real50>(exact));
 }
 
 /// What the poses are of which values were computed: rounded matrices, or quaternions.

@@ -26,14 +26,16 @@ struct Label {
 
 /// Worst error of the poses with phi in [from, to), rad.
 struct ErrorAt {
-  double from = 0, to = 0, error = 0;
+  double from = 0, to = 0;
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none was measured
 };
 
 struct Timing : Label {
   double ns = 0;      ///< CPU time (wall time of several threads) per evaluation (per solve for equilibria),
                       ///< median of repetitions
   double spread = 0;  ///< coefficient of variation of the repetitions
-  double error = 0;   ///< worst error against 50 digits over the timed poses, relative to |K||strain|
+  double error = std::numeric_limits<double>::quiet_NaN();
+                      ///< worst error against 50 digits over the timed poses, relative to |K||strain|
   std::vector<ErrorAt> errors;  ///< the same by decade of phi, where the case measures it
   double flops = 0;             ///< of one evaluation, counted; 0: not counted
   double bytes = 0;             ///< read and written by one evaluation

@@ -6,24 +6,38 @@
 
 namespace halfway::reference {
 
+namespace {
+
+bool holds(const Finding& f) {
+  switch (f.comparison) {
+    case Comparison::at_most:
+      return f.value <= f.high;
+    case Comparison::at_least:
+      return f.value >= f.low;
+    case Comparison::within:
+      return f.low <= f.value && f.value <= f.high;
+    case Comparison::equal:
+      return std::abs(f.value - f.expected) <= f.high;
+    case Comparison::report:
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string missing(const Finding& f) {
+  if (f.verdict == Verdict::left_out) return f.reason.empty() ? "left out without a reason" : "";
+  if (!std::isfinite(f.value)) return "measured nothing, or no number";
+  if (f.comparison != Comparison::report && f.oracle == Oracle::none) return "judged by no oracle";
+  return "";
+}
+
 Finding judged(Finding f) {
-  if (f.verdict == Verdict::left_out) return f;
-  const bool ok = [&] {
-    if (!std::isfinite(f.value)) return false;
-    switch (f.comparison) {
-      case Comparison::at_most:
-        return f.value <= f.high;
-      case Comparison::within:
-        return f.low <= f.value && f.value <= f.high;
-      case Comparison::equal:
-        return std::abs(f.value - f.expected) <= f.high;
-      case Comparison::report:
-        return true;
-    }
-    return false;
-  }();
+  const bool fails = !missing(f).empty();
+  if (f.verdict == Verdict::left_out && !fails) return f;
   const bool is_band_of_defect = f.comparison == Comparison::within;
-  f.verdict = !ok ? Verdict::fail : is_band_of_defect ? Verdict::known_failure : Verdict::pass;
+  f.verdict = fails || !holds(f) ? Verdict::fail : is_band_of_defect ? Verdict::known_failure : Verdict::pass;
   return f;
 }
 
@@ -44,6 +58,8 @@ const char* to_string(Comparison comparison) {
   switch (comparison) {
     case Comparison::at_most:
       return "at_most";
+    case Comparison::at_least:
+      return "at_least";
     case Comparison::within:
       return "within";
     case Comparison::equal:
@@ -65,8 +81,10 @@ const char* to_string(Oracle oracle) {
       return "independent";
     case Oracle::printed:
       return "printed";
-    default:
+    case Oracle::other_program:
       return "other_program";
+    default:
+      return "kept";
   }
 }
 

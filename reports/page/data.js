@@ -18,7 +18,8 @@ export const ORACLES = {
   fifty_digits: 'same formula at 50 digits',
   independent: 'independent road',
   printed: 'printed in the paper',
-  other_program: 'another program'
+  other_program: 'another program',
+  kept: 'kept from an earlier day'
 };
 
 export class Results {

@@ -80,11 +80,11 @@ export interface Finding {
   parameter: string;
   value: number | null;
   unit: string;
-  comparison: "at_most" | "within" | "equal" | "report";
+  comparison: "at_most" | "at_least" | "within" | "equal" | "report";
   expected: number | null;
   low: number | null;
   high: number | null;
-  oracle: "none" | "closed_form" | "fifty_digits" | "independent" | "printed" | "other_program";
+  oracle: "none" | "closed_form" | "fifty_digits" | "independent" | "printed" | "other_program" | "kept";
   uncertainty: number | null;
   reason: string;
   verdict: "pass" | "fail" | "known_failure" | "left_out";

@@ -50,12 +50,9 @@ std::vector<reference::Finding> findings_of(const verify::Check& check) {
   try {
     return check.run();
   } catch (const std::exception& e) {
-    reference::Finding f;
-    f.name = check.name;
-    f.subject = check.name.substr(0, check.name.find('/'));
-    f.reason = e.what();
-    f.value = std::nan("");
-    return {reference::judged(f)};
+    return {reference::finding(check.name)
+                .about(check.name.substr(0, check.name.find('/')))
+                .at_most(0, e.what())};
   }
 }
 

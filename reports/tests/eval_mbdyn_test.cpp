@@ -1,6 +1,8 @@
 // eval against MBDyn's loads and tangents at prescribed poses.
+#include "reference/record/worst.hpp"
 #include "reports/tests/eval_support.hpp"
 
+#include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
 #include <fstream>
@@ -69,7 +71,8 @@ Eigen::MatrixXd expected_tangent(const json& result) {
 /// to 16 eps makes of the stiffness.
 double limit(const Eigen::MatrixXd& truth, const Eigen::MatrixXd& K) {
   constexpr double kEps = 2.2e-16;
-  return std::max(1e-13 * truth.cwiseAbs().maxCoeff(), 16 * kEps * K.cwiseAbs().maxCoeff());
+  using reference::largest_entry;
+  return reference::larger(1e-13 * largest_entry<double>(truth), 16 * kEps * largest_entry<double>(K));
 }
 
 }  // namespace
@@ -80,7 +83,7 @@ BOOST_AUTO_TEST_CASE(pose_probes) {
   const json probes = read_probes();
   for (const Peer& peer : kPeers) {
     int compared = 0;
-    double worst_loads = 0, worst_tangent = 0;
+    reference::Measurement loads, tangent;
     for (const json& result : probes.at("results")) {
       if (result.at("type") != peer.type) continue;
       const json& pose = probes.at("poses")[result.at("pose").get<std::size_t>()];
@@ -89,19 +92,20 @@ BOOST_AUTO_TEST_CASE(pose_probes) {
       BOOST_REQUIRE_MESSAGE(!found.contains("error"), found.dump());
       const Eigen::MatrixXd K = matrix_of(request["law"]["K"]);
       const auto error = [&](const json& ours, const Eigen::MatrixXd& truth) {
-        return (matrix_of(ours) - truth).cwiseAbs().maxCoeff() / limit(truth, K);
+        return reference::largest_entry<double>(matrix_of(ours) - truth) / limit(truth, K);
       };
-      worst_loads = std::max(worst_loads, error(found["loads"], expected_loads(result)));
-      if (peer.has_exact_tangent) {
-        worst_tangent = std::max(worst_tangent, error(found["tangent"], expected_tangent(result)));
-      }
+      const std::string at = result.at("pose").dump();
+      loads.include(error(found["loads"], expected_loads(result)), at);
+      if (peer.has_exact_tangent) tangent.include(error(found["tangent"], expected_tangent(result)), at);
       ++compared;
     }
     BOOST_TEST(compared == 12, peer.type << ": compared " << compared << " poses of 12");
-    BOOST_TEST(worst_loads <= 1, peer.type << ": loads off by " << worst_loads << " limits");
-    BOOST_TEST(worst_tangent <= 1, peer.type << ": tangent off by " << worst_tangent << " limits");
-    BOOST_TEST_MESSAGE(peer.type << ": loads " << worst_loads << ", tangent " << worst_tangent
-                                 << " of the limit");
+    const auto says = [&](const char* what, const reference::Measurement& worst) {
+      return fmt::format("{}: {} {:.2g} of the limit at pose {}", peer.type, what, worst.value(),
+                         worst.where());
+    };
+    BOOST_TEST(loads.value() <= 1, says("loads", loads));
+    if (peer.has_exact_tangent) BOOST_TEST(tangent.value() <= 1, says("tangent", tangent));
   }
 }
 

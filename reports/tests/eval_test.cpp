@@ -1,5 +1,6 @@
 // eval: every formulation and kind answers, and what it answers is what was asked for.
 #define BOOST_TEST_MODULE eval
+#include "reference/record/worst.hpp"
 #include "reports/tests/eval_support.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -7,6 +8,7 @@
 using namespace halfway;
 using namespace halfway::reports::test;
 using nlohmann::json;
+using reference::largest_entry;
 using reference::Real50;
 
 namespace {
@@ -60,7 +62,7 @@ void check_close(const char* what, const json& found, const M& expected) {
   const Eigen::MatrixXd truth = expected.template cast<double>();
   BOOST_REQUIRE_EQUAL(value.rows(), truth.rows());
   BOOST_REQUIRE_EQUAL(value.cols(), truth.cols());
-  const double error = (value - truth).cwiseAbs().maxCoeff() / truth.cwiseAbs().maxCoeff();
+  const double error = largest_entry<double>(value - truth) / largest_entry<double>(truth);
   BOOST_TEST(error <= kRounding, what << " off by " << error);
 }
 
@@ -156,8 +158,8 @@ BOOST_AUTO_TEST_CASE(quaternions_are_normalised) {
   for (double scale : {1 + 9e-7, 1 - 9e-7}) {
     json scaled = request;
     for (auto& x : scaled["a"]["q"]) x = x.get<double>() * scale;
-    const double error = (matrix_of(answer(scaled)["loads"]) - exact).cwiseAbs().maxCoeff();
-    BOOST_TEST(error <= 1e-14 * exact.cwiseAbs().maxCoeff(), "loads moved by " << error);
+    const double error = largest_entry<double>(matrix_of(answer(scaled)["loads"]) - exact);
+    BOOST_TEST(error <= 1e-14 * largest_entry<double>(exact), "loads moved by " << error);
   }
 }
 
@@ -180,7 +182,7 @@ BOOST_AUTO_TEST_CASE(numbers_have_seventeen_digits) {
   const Eigen::MatrixXd found = matrix_of(answer(request)["loads"]);
   // Both run the same arithmetic on inputs that differ by the rounding of a length of 1; printing with
   // fewer than 16 digits would show.
-  BOOST_TEST((found - direct).cwiseAbs().maxCoeff() <= 4e-15 * direct.cwiseAbs().maxCoeff());
+  BOOST_TEST(largest_entry<double>(found - direct) <= 4e-15 * largest_entry<double>(direct));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #include "reports/views/model_error.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/path.hpp"
 
 #include <fmt/format.h>
@@ -44,22 +45,25 @@ Curve solved_exactly(const Scene& scene, const reference::Choice& choice) {
   return curve;
 }
 
-/// Of the columns whose name begins so; 0 where the truth has none or nothing else than zero.
+/// Of the columns whose name begins so; 0 where the truth has none or nothing else than zero. NaN where the
+/// two have no load in common.
 double error_of(const std::string& prefix, const Curve& path, const Curve& truth) {
-  double largest = 0, miss = 0;
+  reference::Measurement size, miss;
+  bool has_columns = false;
   for (std::size_t column = 1; column < truth.columns.size(); ++column) {
     if (!truth.columns[column].starts_with(prefix)) continue;
+    has_columns = true;
     for (const auto& exact : truth.rows) {
       const auto same = [&](const auto& row) {
         return std::abs(row[0] - exact[0]) <= 1e-12 * std::abs(exact[0]);
       };
       const auto row = std::ranges::find_if(path.rows, same);
       if (row == path.rows.end()) continue;
-      largest = std::max(largest, std::abs(exact[column]));
-      miss = std::max(miss, std::abs((*row)[column] - exact[column]));
+      size.include(std::abs(exact[column]), {});
+      miss.include(std::abs((*row)[column] - exact[column]), {});
     }
   }
-  return largest > 0 ? miss / largest : 0;
+  return !has_columns || size.value() == 0 ? 0 : miss.value() / size.value();
 }
 
 }  // namespace
@@ -78,8 +82,10 @@ Truth truth_of(const Scene& scene) {
 
 std::optional<double> model_error(const Curve& path, const Truth& truth) {
   if (!path.converged || !truth.curve.converged || path.columns != truth.curve.columns) return std::nullopt;
-  const double error = std::max(error_of("theta_", path, truth.curve), error_of("u_", path, truth.curve));
-  return std::max(error, std::numeric_limits<double>::epsilon() / 2);
+  const double error =
+      reference::larger(error_of("theta_", path, truth.curve), error_of("u_", path, truth.curve));
+  if (!std::isfinite(error)) return std::nullopt;
+  return reference::larger(error, std::numeric_limits<double>::epsilon() / 2);
 }
 
 }  // namespace halfway::reports

@@ -30,7 +30,7 @@ json defect_series(const reference::Entry& entry, const Defect& defect) {
   json x = json::array(), error = json::array();
   for (const double phi : rotations()) {
     const double value =
-        defect.measure(verify::of(entry), verify::probes(entry, Kind::linear_angular, 2, phi)).value;
+        defect.measure(verify::of(entry), verify::probes(entry, Kind::linear_angular, 2, phi)).value();
     x.push_back(phi);
     error.push_back(std::isfinite(value) ? json(value) : json());
   }

@@ -40,7 +40,7 @@ json envelope(const d::Drift& run) {
   for (const auto& s : run.samples) {
     if (s.period == 0) continue;
     if (edge == 0) edge = s.period;
-    largest = std::max(largest, std::abs(s.energy));
+    keep_largest(largest, std::abs(s.energy));
     if (s.period < edge && &s != &run.samples.back()) continue;
     out.push_back({rounded(s.period), rounded(largest)});
     largest = 0;

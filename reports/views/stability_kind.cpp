@@ -76,8 +76,8 @@ json modes_of(const Entry& entry, const MomentSetting& setting) {
     const auto mu = modes(p.J, mass_matrix(kBodies[0], p.R, 3));
     double imaginary = 0, growth = 0;
     for (const auto& m : mu) {
-      imaginary = std::max(imaginary, std::abs(m.imag()));
-      growth = std::max(growth, std::abs(std::sqrt(-m).real()));
+      keep_largest(imaginary, std::abs(m.imag()));
+      keep_largest(growth, std::abs(std::sqrt(-m).real()));
     }
     points.push_back(
         {rounded(p.load), rounded(angle), rounded(mu.front().real()), rounded(imaginary), rounded(growth)});

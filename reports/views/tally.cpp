@@ -59,6 +59,9 @@ std::string explain(const Finding& f) {
     case Comparison::at_most:
       text += fmt::format(", at most {:.6g}{}", f.high, unit);
       break;
+    case Comparison::at_least:
+      text += fmt::format(", at least {:.6g}{}", f.low, unit);
+      break;
     case Comparison::within:
       text += fmt::format(", band {:.6g} to {:.6g}{}", f.low, f.high, unit);
       break;
@@ -68,6 +71,7 @@ std::string explain(const Finding& f) {
     case Comparison::report:
       break;
   }
+  if (const std::string why = missing(f); !why.empty()) text += "; " + why;
   if (!f.parameter.empty()) text += "; worst case: " + f.parameter;
   if (!f.reason.empty()) text += "; why this limit: " + f.reason;
   return text;

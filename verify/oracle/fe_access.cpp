@@ -5,31 +5,7 @@
 namespace halfway::verify {
 namespace fe = reference::fe;
 
-Finding solid_finding(const std::string& name, const std::string& unit, const std::string& reason) {
-  Finding f;
-  f.name = "fe/" + name;
-  f.subject = "fe";
-  f.unit = unit;
-  f.reason = reason;
-  return f;
-}
-
-Finding below(Finding f, double value, double limit, Oracle oracle) {
-  f.value = value;
-  f.high = limit;
-  f.comparison = Comparison::at_most;
-  f.oracle = oracle;
-  return judged(f);
-}
-
-Finding near_to(Finding f, double value, double expected, double limit, Oracle oracle) {
-  f.value = value;
-  f.expected = expected;
-  f.high = limit;
-  f.comparison = Comparison::equal;
-  f.oracle = oracle;
-  return judged(f);
-}
+Draft solid_finding(const std::string& name) { return finding("fe/" + name).about("fe"); }
 
 const fe::Characterisation& characterisation(const std::string& body) {
   static const std::vector<fe::Characterisation> all = [] {

@@ -7,13 +7,7 @@
 namespace halfway::verify {
 
 /// A finding on a solid: name "fe/...", subject "fe".
-Finding solid_finding(const std::string& name, const std::string& unit, const std::string& reason);
-
-/// at_most `limit`.
-Finding below(Finding f, double value, double limit, Oracle oracle);
-
-/// Equal to `expected` within `limit`, both in the finding's unit.
-Finding near_to(Finding f, double value, double expected, double limit, Oracle oracle);
+Draft solid_finding(const std::string& name);
 
 /// The kept characterisation of a body. Throws std::runtime_error saying how to make it.
 const reference::fe::Characterisation& characterisation(const std::string& body);

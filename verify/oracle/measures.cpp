@@ -15,8 +15,9 @@ using Tangent50 = Eigen::Matrix<Real50, 12, 12>;
 using V50 = Vec3<Real50>;
 using M50 = Mat3<Real50>;
 
+/// NaN where there is nothing to be relative to: loads or a tangent of zero on generic probes.
 double ratio(const Real50& defect, const Real50& scale) {
-  return scale > Real50(0) ? double(defect / scale) : double(defect);
+  return scale > Real50(0) ? double(defect / scale) : std::numeric_limits<double>::quiet_NaN();
 }
 
 Real50 largest(const auto& m) { return largest_entry<Real50>(m); }
@@ -24,7 +25,7 @@ Real50 largest(const auto& m) { return largest_entry<Real50>(m); }
 /// Keeps the worst of the probes; a NaN is the worst of all.
 template <class Fn>
 Measurement worst(const std::vector<Probe>& probes, const Fn& defect_of) {
-  Measurement out{-1, "no probe"};
+  Measurement out;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Probe& probe = probes[i];
     const double defect =
@@ -32,20 +33,6 @@ Measurement worst(const std::vector<Probe>& probes, const Fn& defect_of) {
     out.include(defect, fmt::format("probe {}, relative rotation {:.4g} rad", i, probe.phi));
   }
   return out;
-}
-
-/// Larger relative difference of forces and of moments.
-double difference(const Loads50& q, const Loads50& other) {
-  const auto part = [](const Loads50& v, int first) {
-    Eigen::Matrix<Real50, 6, 1> out;
-    out << v.segment<3>(first), v.segment<3>(first + 6);
-    return out;
-  };
-  const auto relative = [&](int first) {
-    const auto mine = part(q, first);
-    return ratio((mine - part(other, first)).norm(), mine.norm());
-  };
-  return std::max(relative(0), relative(3));
 }
 
 /// Pose moved along coordinate k of (dx, w): derivative in the dual part.
@@ -70,6 +57,20 @@ void each_direction(const Pose<Real50>& a, const Pose<Real50>& b, const Fn& fn) 
 V50 vector(double x, double y, double z) { return {Real50(x), Real50(y), Real50(z)}; }
 
 }  // namespace
+
+double loads_apart(const Eigen::Matrix<Real50, 12, 1>& q, const Eigen::Matrix<Real50, 12, 1>& other) {
+  const auto part = [](const Loads50& v, int first) {
+    Eigen::Matrix<Real50, 6, 1> out;
+    out << v.segment<3>(first), v.segment<3>(first + 6);
+    return out;
+  };
+  const auto relative = [&](int first) {
+    const auto mine = part(q, first), theirs = part(other, first);
+    const bool both_zero = largest(mine) == Real50(0) && largest(theirs) == Real50(0);
+    return both_zero ? 0 : ratio((mine - theirs).norm(), mine.norm());
+  };
+  return largest(q) == Real50(0) ? ratio(Real50(0), Real50(0)) : larger(relative(0), relative(3));
+}
 
 JointUnderTest of(const Entry& entry) {
   const Entry* e = &entry;
@@ -112,7 +113,7 @@ Measurement node_swap(const JointUnderTest& joint, const std::vector<Probe>& pro
     const Loads50 q_b_a = joint.loads(exchanged, b, a, false).q;
     Loads50 back;
     back << q_b_a.tail<6>(), q_b_a.head<6>();
-    return difference(joint.loads(probe.spec, a, b, false).q, back);
+    return loads_apart(joint.loads(probe.spec, a, b, false).q, back);
   });
 }
 
@@ -123,7 +124,7 @@ Measurement objectivity(const JointUnderTest& joint, const std::vector<Probe>& p
   return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     Loads50 seen = joint.loads(probe.spec, carried(a), carried(b), false).q;
     for (int i = 0; i < 12; i += 3) seen.segment<3>(i) = V50(Q.transpose() * seen.segment<3>(i));
-    return difference(joint.loads(probe.spec, a, b, false).q, seen);
+    return loads_apart(joint.loads(probe.spec, a, b, false).q, seen);
   });
 }
 
@@ -166,7 +167,7 @@ Measurement symmetry_defect(const JointUnderTest& joint, const std::vector<Probe
 Measurement load_difference(const JointUnderTest& joint, const JointUnderTest& other,
                             const std::vector<Probe>& probes) {
   return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
-    return difference(other.loads(probe.spec, a, b, false).q, joint.loads(probe.spec, a, b, false).q);
+    return loads_apart(other.loads(probe.spec, a, b, false).q, joint.loads(probe.spec, a, b, false).q);
   });
 }
 
@@ -189,7 +190,7 @@ Fingerprint fingerprint(const JointUnderTest& joint, double xi) {
     const V50 Ku = k.cast<Real50>().cwiseProduct(u);
     const V50 plus = moment(h * u), minus = moment(-h * u);
     const V50 first = (plus - minus) / (Real50(2) * h);
-    out.linear_defect = std::max(out.linear_defect, ratio((first - Ku).norm(), Ku.norm()));
+    keep_largest(out.linear_defect, ratio((first - Ku).norm(), Ku.norm()));
     second.segment<3>(3 * i) = V50((plus + minus) / (Real50(2) * h * h)).cast<double>();
     form.block<3, 1>(3 * i, 0) = V50(u.cross(Ku)).cast<double>();
     form.block<3, 1>(3 * i, 1) =

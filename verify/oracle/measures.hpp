@@ -39,6 +39,10 @@ JointUnderTest of(const Entry& entry);
 /// a spec are doubles, and their drift would otherwise hide everything below 1e-16.
 Pose<Real50> exact_pose(const Pose<double>& pose, const JointEnd<double>& end);
 
+/// The larger relative difference, of forces or of moments; of no forces, or no moments, the other one alone. NaN of
+/// no loads.
+double loads_apart(const Eigen::Matrix<Real50, 12, 1>& q, const Eigen::Matrix<Real50, 12, 1>& other);
+
 /// |f_a + f_b| / |f_b|.
 Measurement force_balance(const JointUnderTest& joint, const std::vector<Probe>& probes);
 
@@ -79,9 +83,6 @@ struct LoopWork {
 /// The trapezoidal rule in `points` points converges faster than any power: 100 points leave
 /// nothing above 1e-20 up to amplitude 0.4.
 LoopWork loop_work(const JointUnderTest& joint, const JointSpec& spec, double amplitude, int points = 100);
-
-/// log2(W(amplitude)/W(amplitude/2)): the order of the net work in the amplitude.
-double loop_slope(const JointUnderTest& joint, const JointSpec& spec, double amplitude);
 
 /// Second-order fingerprint of an angular joint, K = diag(2, 3, 7) N m/rad:
 /// m_b = K theta + alpha theta x K theta + beta (k1 - k2 + k3) (t2 t3, t3 t1, t1 t2) + O(3).

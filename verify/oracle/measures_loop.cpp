@@ -52,10 +52,4 @@ LoopWork loop_work(const JointUnderTest& joint, const JointSpec& spec, double am
   return work;
 }
 
-double loop_slope(const JointUnderTest& joint, const JointSpec& spec, double amplitude) {
-  const Real50 whole = loop_work(joint, spec, amplitude).net;
-  const Real50 half = loop_work(joint, spec, amplitude / 2).net;
-  return std::log2(std::abs(double(whole / half)));
-}
-
 }  // namespace halfway::verify

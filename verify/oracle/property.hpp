@@ -8,19 +8,18 @@
 
 namespace halfway::verify {
 
-/// A finding of one formulation and kind, name filled in; the caller adds value and limits.
-Finding property_finding(const Entry& entry, Kind kind, const std::string& property);
+/// entry/kind/property
+std::string property_name(const Entry& entry, Kind kind, const std::string& property);
+
+/// A finding of one formulation and kind, name filled in; the caller says what was measured, held how, by whom.
+Draft property_finding(const Entry& entry, Kind kind, const std::string& property);
 
 /// Adds `entry/kind/property` for every formulation, for the kinds given.
-/// @param measure  (entry, kind, finding with its name) -> finding with value, limits and reason
+/// @param measure  (entry, kind, finding with its name) -> finding with value, limits, oracle and reason
 void add_property(Checks& checks, const std::string& property, std::initializer_list<Kind> kinds,
-                  const std::function<Finding(const Entry&, Kind, Finding)>& measure);
+                  const std::function<Finding(const Entry&, Kind, Draft)>& measure);
 
-/// A relative error, judged against a limit; an independent road gave what it is the error of.
-Finding held(Finding finding, const Measurement& measured, double limit, const std::string& reason,
-             const std::string& unit = "relative");
-
-/// Holds the measured defect to rounding, or to the declared band of a known failure.
-void hold(Finding& finding, const Measurement& measured, const Band& band);
+/// Holds the measured defect to rounding of what the oracle says, or to the kept band of a known failure.
+Draft hold(Draft finding, const Measurement& measured, const Band& band, Oracle oracle);
 
 }  // namespace halfway::verify

@@ -143,7 +143,7 @@ double error_in_eps(const Rotation& r, Scale scale) {
 /// The worst over `rotations`.
 template <class Fn>
 Measurement worst_rotation(const std::vector<Rotation>& rotations, const Fn& error) {
-  Measurement out{-1, "no rotation"};
+  Measurement out;
   for (const Rotation& r : rotations) {
     out.include(error(r), r.where);
   }

@@ -1,38 +1,14 @@
-// The worst of several numbers, of which a NaN is the worst of all.
+// Errors of verify: those of reference/record/worst.hpp.
 #pragma once
 
-#include <string>
-#include <utility>
+#include "reference/record/worst.hpp"
 
 namespace halfway::verify {
 
-/// Keeps the larger. A NaN stays, whatever comes after it: comparing alone would forget it.
-template <class T>
-void keep_largest(T& largest, const T& x) {
-  const bool is_nan = !(largest == largest);
-  if (!is_nan && !(x <= largest)) largest = x;
-}
-
-/// Largest absolute entry of an Eigen expression of T.
-template <class T, class M>
-T largest_entry(const M& m) {
-  using std::abs;
-  T out(0);
-  for (const T& x : m.reshaped()) keep_largest(out, T(abs(x)));
-  return out;
-}
-
-/// A measured number and where it was the worst.
-struct Measurement {
-  double value = 0;
-  std::string where{};  ///< the worst probe
-
-  void include(double x, std::string at) {
-    const bool is_nan = !(value == value);
-    if (is_nan || x <= value) return;
-    value = x;
-    where = std::move(at);
-  }
-};
+using reference::Extent;
+using reference::keep_largest;
+using reference::larger;
+using reference::largest_entry;
+using reference::Measurement;
 
 }  // namespace halfway::verify

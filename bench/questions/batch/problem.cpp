@@ -73,7 +73,7 @@ Checked check(const BatchProblem& p) {
   const BatchData<T> tangent(with_tangent);
   tangent.evaluate();
   const double error = data.product_error(tangent, std::min<long>(p.joints, kPoses));
-  out.error = std::max(out.error, error);
+  reference::keep_largest(out.error, error);
   if (!(error < 64 * tolerance.eps)) out.message = fmt::format("J v is off by {:.1e} of the tangent", error);
   return out;
 }
@@ -153,7 +153,7 @@ Evaluated BatchData<T>::at(long i) const {
 template <class T>
 double BatchData<T>::product_error(const BatchData& with_tangent, long joints) const {
   const bool angular = batch_.model().kind == Kind::angular;
-  double worst = 0;
+  reference::Measurement worst;
   for (long i = 0; i < joints; ++i) {
     const Eigen::MatrixXd J = with_tangent.at(i).tangent;
     Eigen::VectorXd v(J.cols());
@@ -161,12 +161,12 @@ double BatchData<T>::product_error(const BatchData& with_tangent, long joints) c
     const Eigen::VectorXd Jv = J * v;
     const int rows[] = {angular ? 0 : 6, 3, 9};
     for (int k = 0; k < loads_.rows(); ++k) {
-      const double error =
-          std::abs(Jv[rows[k / 3] + k % 3] - double(tangent_(k, i))) / J.lpNorm<Eigen::Infinity>();
-      worst = std::isfinite(error) ? std::max(worst, error) : HUGE_VAL;
+      worst.include(
+          std::abs(Jv[rows[k / 3] + k % 3] - double(tangent_(k, i))) / reference::largest_entry<double>(J),
+          {});
     }
   }
-  return worst;
+  return worst.value();
 }
 
 template <class T>

@@ -22,17 +22,6 @@ Tangent50 exact_tangent(const std::string& formulation, const Inputs& in, int i)
   return t;
 }
 
-/// A NaN is an infinite error.
-double relative_error(const Eigen::MatrixXd& value, const Tangent50& exact) {
-  double worst = 0, largest = 0;
-  for (Eigen::Index i = 0; i < exact.size(); ++i) {
-    const double difference = std::abs(double(Real50(value(i)) - exact(i)));
-    worst = std::max(worst, std::isfinite(difference) ? difference : HUGE_VAL);
-    largest = std::max(largest, std::abs(double(exact(i))));
-  }
-  return worst / largest;
-}
-
 std::vector<Evaluated> evaluate_all(const Evaluate& evaluate, const Inputs& in) {
   std::vector<Evaluated> values;
   for (std::size_t i = 0; i < in.a.size(); ++i) values.push_back(evaluate(in.a[i], in.b[i]));
@@ -52,11 +41,10 @@ double TangentTruth::error(const std::vector<Evaluated>& values) {
   if (exact_.empty()) {
     for (int i = 0; i < int(in_.a.size()); ++i) exact_.push_back(exact_tangent(formulation_, in_, i));
   }
-  double worst = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    worst = std::max(worst, relative_error(values[i].tangent, exact_[i]));
-  }
-  return worst;
+  reference::Measurement worst;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    worst.include(largest_difference(values[i].tangent, exact_[i]) / largest_entry(exact_[i]), {});
+  return worst.value();
 }
 
 std::shared_ptr<TangentProblem> tangent_problem(const std::string& formulation, Kind kind) {

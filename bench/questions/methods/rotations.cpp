@@ -111,31 +111,20 @@ Rotations rotations(const ErrorAt& range, int count) {
   return out;
 }
 
-template <class A, class B>
-double largest_difference(const A& value, const B& exact) {
-  double worst = 0;
-  for (Eigen::Index i = 0; i < exact.size(); ++i) {
-    const double difference = std::abs(double(Real50(value(i)) - exact(i)));
-    worst = std::max(worst, std::isfinite(difference) ? difference : HUGE_VAL);
-  }
-  return worst;
-}
-
 /// exp: absolute error of an entry. log: of an entry, relative to the largest one.
 template <class Library, bool is_log>
 double worst_error(const Rotations& in) {
-  double worst = 0;
+  reference::Measurement worst;
   for (std::size_t i = 0; i < in.R.size(); ++i) {
     if (is_log) {
       const Vec3<Real50> exact = so3::log<Real50>(in.R[i].cast<Real50>());
-      const double scale = exact.cast<double>().cwiseAbs().maxCoeff();
-      worst = std::max(worst, largest_difference(Library::log(in.R[i]), exact) / scale);
+      worst.include(largest_difference(Vector3d(Library::log(in.R[i])), exact) / largest_entry(exact), {});
     } else {
       const Mat3<Real50> exact = so3::exp<Real50>(in.theta[i].cast<Real50>());
-      worst = std::max(worst, largest_difference(Library::exp(in.theta[i]), exact));
+      worst.include(largest_difference(Matrix3d(Library::exp(in.theta[i])), exact), {});
     }
   }
-  return worst;
+  return worst.value();
 }
 
 template <class Library, bool is_log>

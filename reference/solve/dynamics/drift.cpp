@@ -1,5 +1,7 @@
 #include "reference/solve/dynamics/drift.hpp"
 
+#include "reference/record/worst.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -56,13 +58,14 @@ Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSet
     const Momenta M = momenta(state);
     if (!std::isfinite(change)) {
       out.ending = "the loads are not finite";
+      out.largest_energy = out.linear = out.angular = std::nan("");
       break;
     }
     out.samples.push_back({out.periods, change});
-    out.largest_energy = std::max(out.largest_energy, std::abs(change));
+    keep_largest(out.largest_energy, std::abs(change));
     if (is_free) {
-      out.linear = std::max(out.linear, (M.linear - M0.linear).norm() / scale.linear);
-      out.angular = std::max(out.angular, (M.angular - M0.angular).norm() / scale.angular);
+      keep_largest(out.linear, (M.linear - M0.linear).norm() / scale.linear);
+      keep_largest(out.angular, (M.angular - M0.angular).norm() / scale.angular);
     }
     if (std::abs(change) > settings.largest_growth) {
       out.ending = "the joint made many times the energy of the start";

@@ -66,7 +66,7 @@ double normalise(double* y) {
   for (std::size_t i = 0; i < 2; ++i) {
     Eigen::Map<Vec4> q{y + i * kPerBody + 3};
     const double norm = q.norm();
-    largest = std::max(largest, std::abs(norm - 1));
+    keep_largest(largest, std::abs(norm - 1));
     q /= norm;
   }
   return largest;
@@ -99,7 +99,7 @@ RungeKuttaResult runge_kutta(const System& system, const State& start, double du
       out.failure = gsl_strerror(status);
       break;
     }
-    out.norm_drift = std::max(out.norm_drift, normalise(y));
+    keep_largest(out.norm_drift, normalise(y));
   }
   out.state = unpacked(y);
   out.dissipated = y[kCount - 1];

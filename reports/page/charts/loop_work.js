@@ -27,7 +27,7 @@ export function loopWorkFigure(results) {
     results.findings.filter(
       (f) => f.name.endsWith(`/${property}`) && f.verdict !== 'left_out' && isNumber(f.value)
     );
-  const sloped = measured('loop_slope');
+  const sloped = measured('loop_order').filter((f) => f.comparison === 'equal'); // the others do no work
   const rows = sloped.map((f) => ({
     formulation: f.formulation,
     kind: f.kind,

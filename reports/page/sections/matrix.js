@@ -13,7 +13,7 @@ const ORDER = [
   'symmetry',
   'energy_gradient',
   'loop_work',
-  'loop_slope',
+  'loop_order',
   'fingerprint_alpha',
   'fingerprint_beta',
   'rounding',
@@ -41,6 +41,7 @@ export function story(f) {
   if (f.verdict === 'left_out') return `left out: ${f.reason}`;
   const held = {
     at_most: `at most ${short(f.high, 3)}${unit}`,
+    at_least: `at least ${short(f.low, 3)}${unit}`,
     within: `between ${short(f.low, 3)} and ${short(f.high, 3)}${unit}`,
     equal: `${full(f.expected)}${unit} within ${short(f.high, 2)}`,
     report: 'nothing, a measured number'

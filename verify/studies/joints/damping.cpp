@@ -91,9 +91,10 @@ Measurement rate_error(const Rates& rates, const Entry& entry, double xi) {
   return out;
 }
 
-/// Smallest and largest power taken out, over e'. C e'.
+/// Power taken out over e'. C e', and its distance from 1.
 struct Powers {
-  double low = 1e300, high = -1e300, off = 0;
+  Extent ratio;
+  Measurement off;
 };
 template <Kind kind, class Rates>
 Powers powers(const Rates& rates) {
@@ -105,8 +106,8 @@ Powers powers(const Rates& rates) {
       m.of_b = {drawn(g, 10), drawn(g, 10)};
       const auto load = damped<kind>(rates, m);
       const Real50 ratio = load.power / load.law_power;
-      out.low = std::min(out.low, double(ratio)), out.high = std::max(out.high, double(ratio));
-      keep_largest(out.off, double(abs(ratio - Real50(1))));
+      out.ratio.include(double(ratio));
+      out.off.include(double(abs(ratio - Real50(1))), "random motions");
     }
   }
   return out;
@@ -114,15 +115,14 @@ Powers powers(const Rates& rates) {
 
 Finding passive(const std::string& name, const Powers& p, bool conjugate) {
   if (conjugate) {
-    return at_most(name, "damping", {p.off, "random motions"}, kRounding, "of the law's power",
-                   Oracle::closed_form, "virtual power: loads . motion = e' . C e' >= 0; 50 digits");
+    return at_most(name, "damping", p.off, kRounding, "of the law's power", Oracle::closed_form,
+                   "virtual power: loads . motion = e' . C e' >= 0; 50 digits");
   }
-  Finding f =
-      at_most(name, "damping", {p.low, fmt::format("{:.3g} ... {:.3g} over random motions", p.low, p.high)},
-              0, "power over e' . C e', the smallest", Oracle::none,
-              "the moment is turned with the frame and not by the rate of the strain: not held");
-  f.comparison = Comparison::report;
-  return reference::judged(f);
+  return finding(name)
+      .about("damping")
+      .measured(p.ratio.low(), fmt::format("{:.3g} ... {:.3g} over random motions", p.ratio.low(), p.ratio.high()))
+      .in("power over e' . C e', the smallest")
+      .reported("the moment is turned with the frame and not by the rate of the strain: not held");
 }
 
 template <Kind kind, class F>

@@ -5,14 +5,10 @@ namespace halfway::verify {
 
 void energy_gradient(Checks& checks) {
   add_property(checks, "energy_gradient", {Kind::angular, Kind::linear, Kind::linear_angular},
-               [](const Entry& entry, Kind kind, Finding f) {
-                 if (!entry.has_potential(kind)) {
-                   f.verdict = Verdict::left_out;
-                   f.reason = "this formulation has no potential of this kind; see symmetry and loop_work";
-                   return f;
-                 }
-                 hold(f, energy_gradient(of(entry), probes(entry, kind, 8, 3.0)), {});
-                 return f;
+               [](const Entry& entry, Kind kind, Draft f) {
+                 if (!entry.has_potential(kind))
+                   return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
+                 return hold(f, energy_gradient(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::independent);
                });
 }
 

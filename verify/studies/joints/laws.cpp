@@ -42,19 +42,19 @@ std::vector<Finding> callable() {
   };
   const Mat3<double> tangent = loads<true>(joint, a, b).m_b_wb;
   constexpr double h = 1e-4;
-  Finding f;
-  f.name = "laws/callable/tangent";
-  f.subject = "laws";
-  f.unit = "relative";
-  f.high = 1e-10;
-  f.oracle = Oracle::independent;
-  f.reason = "fourth-order central differences with a step of 1e-4: h^4 and eps/h are both near 1e-12";
+  Measurement worst;
   for (int i = 0; i < 3; ++i) {
     const auto e = [&](double s) -> Vec3<double> { return s * h * Vec3<double>::Unit(i); };
     const Vec3<double> column = (8 * (at(e(1)) - at(e(-1))) - (at(e(2)) - at(e(-2)))) / (12 * h);
-    f.value = std::max(f.value, (column - tangent.col(i)).norm() / tangent.norm());
+    worst.include((column - tangent.col(i)).norm() / tangent.norm(), fmt::format("column {}", i + 1));
   }
-  return {judged(f)};
+  return {finding("laws/callable/tangent")
+              .about("laws")
+              .measured(worst)
+              .in("relative")
+              .at_most(1e-10,
+                       "fourth-order central differences with a step of 1e-4: h^4 and eps/h are both near 1e-12")
+              .by(Oracle::independent)};
 }
 
 /// The joint in another scalar: the same moment to that scalar's rounding.
@@ -70,33 +70,26 @@ Finding scalar(const char* name) {
   b_double.R = so3::exp<double>({0.25, -0.5, 0.75});
   const Vec3<double> m = loads<false>(joint, Pose<T>{}, b).m_b.template cast<double>();
   const Vec3<double> expected = loads<false>(joint_double, Pose<double>{}, b_double).m_b;
-  Finding f;
-  f.name = fmt::format("laws/scalar/{}", name);
-  f.subject = "laws";
-  f.unit = "relative";
-  f.value = (m - expected).norm() / expected.norm();
-  f.high = 10 * std::max(double(std::numeric_limits<T>::epsilon()), std::numeric_limits<double>::epsilon());
-  f.oracle = Oracle::fifty_digits;
-  f.reason = "ten eps of the coarser scalar, as rounding allows";
-  return judged(f);
+  const double eps = larger(double(std::numeric_limits<T>::epsilon()), std::numeric_limits<double>::epsilon());
+  return finding(fmt::format("laws/scalar/{}", name))
+      .about("laws")
+      .measured((m - expected).norm() / expected.norm())
+      .in("relative")
+      .at_most(10 * eps, "ten eps of the coarser scalar, as rounding allows")
+      .by(Oracle::fifty_digits);
 }
 
 }  // namespace
 
 void laws(Checks& checks) {
   const auto kinds = {Kind::angular, Kind::linear, Kind::linear_angular};
-  add_property(checks, "tangent_hardening", kinds, [](const Entry& entry, Kind kind, Finding f) {
-    hold(f, tangent_by_duals(of(entry), hardening_probes(entry, kind)), {});
-    return f;
+  add_property(checks, "tangent_hardening", kinds, [](const Entry& entry, Kind kind, Draft f) {
+    return hold(f, tangent_by_duals(of(entry), hardening_probes(entry, kind)), {}, Oracle::independent);
   });
-  add_property(checks, "energy_gradient_hardening", kinds, [](const Entry& entry, Kind kind, Finding f) {
-    if (!entry.has_potential(kind)) {
-      f.verdict = Verdict::left_out;
-      f.reason = "this formulation has no potential of this kind; see symmetry and loop_work";
-      return f;
-    }
-    hold(f, energy_gradient(of(entry), hardening_probes(entry, kind)), {});
-    return f;
+  add_property(checks, "energy_gradient_hardening", kinds, [](const Entry& entry, Kind kind, Draft f) {
+    if (!entry.has_potential(kind))
+      return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
+    return hold(f, energy_gradient(of(entry), hardening_probes(entry, kind)), {}, Oracle::independent);
   });
   checks.push_back({"laws/callable", "properties", callable});
   checks.push_back({"laws/scalars", "properties", [] {

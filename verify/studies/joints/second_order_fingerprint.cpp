@@ -1,6 +1,10 @@
 // The second-order fingerprint (alpha, beta) of the angular joint.
 #include "verify/oracle/property.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace halfway::verify {
 namespace {
 
@@ -10,33 +14,28 @@ constexpr const char* kResolutionReason =
 
 using Coefficient = double Fingerprint::*;
 
-Finding coefficient(const Entry& entry, Finding f, Coefficient member, double expected) {
+Finding coefficient(const Entry& entry, Draft f, Coefficient member, double expected) {
   const Fingerprint print = fingerprint(of(entry), entry.probe_xi);
-  f.unit = "-";
-  if (!entry.facts.has_fingerprint) {
-    f.value = print.residual;
-    f.comparison = Comparison::within;
-    f.low = 0.05;
-    f.high = 2;
-    f.reason = "the second-order part is not of the (alpha, beta) form; the value is its relative remainder";
-    return f;
-  }
-  f.value = print.*member;
-  f.comparison = Comparison::equal;
-  f.expected = expected;
-  f.high = print.residual < kResolution ? kResolution : 0;
-  f.oracle = Oracle::closed_form;
-  f.reason = kResolutionReason;
-  return f;
+  f.in("-");
+  if (!entry.facts.has_fingerprint)
+    return f.measured(print.residual)
+        .within(0.05, 2,
+                "the second-order part is not of the (alpha, beta) form; the value is its relative remainder")
+        .by(Oracle::kept);
+  return f
+      .measured(print.residual < kResolution ? print.*member : std::nan(""),
+                fmt::format("remainder of the form {:.2g}", print.residual))
+      .equal(expected, kResolution, kResolutionReason)
+      .by(Oracle::closed_form);
 }
 
 }  // namespace
 
 void second_order_fingerprint(Checks& checks) {
-  add_property(checks, "fingerprint_alpha", {Kind::angular}, [](const Entry& entry, Kind, Finding f) {
+  add_property(checks, "fingerprint_alpha", {Kind::angular}, [](const Entry& entry, Kind, Draft f) {
     return coefficient(entry, f, &Fingerprint::alpha, entry.facts.alpha);
   });
-  add_property(checks, "fingerprint_beta", {Kind::angular}, [](const Entry& entry, Kind, Finding f) {
+  add_property(checks, "fingerprint_beta", {Kind::angular}, [](const Entry& entry, Kind, Draft f) {
     return coefficient(entry, f, &Fingerprint::beta, entry.facts.beta);
   });
 }

@@ -5,9 +5,9 @@ namespace halfway::verify {
 
 void tangent(Checks& checks) {
   add_property(checks, "tangent", {Kind::angular, Kind::linear, Kind::linear_angular},
-               [](const Entry& entry, Kind kind, Finding f) {
-                 hold(f, tangent_by_duals(of(entry), probes(entry, kind, 8, 3.0)), {});
-                 return f;
+               [](const Entry& entry, Kind kind, Draft f) {
+                 return hold(f, tangent_by_duals(of(entry), probes(entry, kind, 8, 3.0)), {},
+                             Oracle::independent);
                });
 }
 

@@ -20,15 +20,12 @@ using Tables = BatchTables<double>;
 constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
 
 Finding counted(const std::string& name, double wrong, const std::string& reason) {
-  Finding f;
-  f.name = "batch/" + name;
-  f.subject = name;
-  f.value = wrong;
-  f.unit = "numbers";
-  f.high = 0;
-  f.oracle = Oracle::independent;
-  f.reason = reason;
-  return judged(f);
+  return finding("batch/" + name)
+      .about(name)
+      .measured(wrong)
+      .in("numbers")
+      .at_most(0, reason)
+      .by(Oracle::independent);
 }
 
 const Entry& invariant() { return *reference::find_formulation("invariant"); }

@@ -36,7 +36,7 @@ reference::LawSpec law_of(const reference::LawSpec& linear, Law law, reference::
 /// |K|: of a polynomial its largest slope up to a strain of 2 pi could be anything; the tangent tells it.
 double stiffness(const BatchJoint& j) {
   if (const auto* linear = std::get_if<reference::LinearSpec>(&j.spec.law)) return linear->matrix.norm();
-  return j.exact.tangent.cast<double>().lpNorm<Eigen::Infinity>();
+  return double(largest_entry<Real50>(j.exact.tangent));
 }
 
 /// The relative quaternion is a difference of products: 4 eps are lost whatever the angle.
@@ -47,8 +47,8 @@ void solve(const Entry& entry, BatchJoint& j) {
   j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
   j.steepness = steepness(entry, j.spec, a, b);
   const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
-  const double loads = j.exact.q.cast<double>().lpNorm<Eigen::Infinity>();
-  j.scale = std::max(stiffness(j) * std::max(strain, kPlain), loads);
+  const double loads = double(largest_entry<Real50>(j.exact.q));
+  j.scale = larger(stiffness(j) * larger(strain, kPlain), loads);
 }
 
 template <class T>

@@ -27,7 +27,7 @@ double miss(const E& exact, const V& value) {
 /// it where a measure is steep. The tangent holds the rate's own derivative, and of a power of the distance
 /// to a pole that grows about twice as fast per rad as the rate. Rotation vectors are never steep: below 0.3.
 double tangent_scale(const BatchJoint& j) {
-  return double(largest_entry<Real50>(j.exact.tangent)) * std::max(1., 2 * j.steepness);
+  return double(largest_entry<Real50>(j.exact.tangent)) * larger(1., 2 * j.steepness);
 }
 
 std::string at(const BatchJoint& j) { return fmt::format("phi = {:.3g} rad", j.phi); }
@@ -62,7 +62,7 @@ void evaluate(const Entry& entry, const std::vector<BatchJoint>& joints, Law law
   batch.evaluate(tables.joints(), tables.results(), output);
   for (long i = 0; i < tables.count; ++i) {
     const BatchJoint& j = joints[i];
-    if (!(j.steepness <= kSteepest)) continue;
+    if (j.steepness > kSteepest) continue;
     const NodeLoads<T> value = tables.at(i, output);
     errors.loads.include(miss(j.exact.q, value.q) / j.scale, at(j));
     if (output == Output::tangent || output == Output::tangent_144)
@@ -114,7 +114,11 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
     all_outputs<float>(entry, single, Law::linear, true, isa, in_float);
     const std::string of = std::string("batch_") + batch::to_string(isa);
     const auto hold = [&](const char* what, const Measurement& error, double at_most, const char* reason) {
-      out.push_back(held(property_finding(entry, kind, of + what), error, at_most, reason));
+      out.push_back(property_finding(entry, kind, of + what)
+                        .measured(error)
+                        .in("relative")
+                        .at_most(at_most, reason)
+                        .by(Oracle::independent));
     };
     const Batch batch({std::string(entry.name), kind}, isa);
     hold("_loads", errors.loads, kLimit, kLoadsReason);

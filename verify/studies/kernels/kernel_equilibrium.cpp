@@ -47,35 +47,31 @@ std::vector<Finding> c1_extended() {
     worst.include(error, fmt::format("load factor {:g}", factor));
     b = found.b;
   }
-  Finding f;
-  f.name = fmt::format("kernel_equilibrium/c1/{}", F::name);
-  f.formulation = F::name;
-  f.subject = "kernel_equilibrium";
-  f.parameter = worst.where;
-  f.value = worst.value;
-  f.unit = "relative";
-  f.oracle = Oracle::independent;
-  f.high = 1e-13;
-  f.reason =
-      "loads to 5e-15 of |K||strain| = 100 N m/rad * phi, on the softest direction of 1 N m/rad at the "
-      "largest "
-      "share of the loads: 100 * 5e-15 / 5 at most seen by theta";
-  return {judged(f)};
+  return {
+      finding(fmt::format("kernel_equilibrium/c1/{}", F::name))
+          .of(F::name)
+          .about("kernel_equilibrium")
+          .measured(worst)
+          .in("relative")
+          .at_most(1e-13,
+                   "loads to 5e-15 of |K||strain| = 100 N m/rad * phi, on the softest direction of 1 N m/rad "
+                   "at the largest share of the loads: 100 * 5e-15 / 5 at most seen by theta")
+          .by(Oracle::independent)};
 }
 
 /// m = k sin(phi) cos(phi) carries no more than k/2 [53]: no iteration count is returned beyond.
 std::vector<Finding> beyond_reach() {
   const auto joint = angular_joint<Jointc>(Eigen::Vector3d(1, 1, 1).asDiagonal());
-  Finding f;
-  f.name = "kernel_equilibrium/beyond_reach/iterations";
-  f.formulation = "jointc";
-  f.subject = "kernel_equilibrium";
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.reason = "0 iterations say that nothing converged: 0.51 k is more than the law can carry, 0.49 k is not";
-  f.value = kernel::solve(joint, kOne, kOne, V3<double>{0.51, 0, 0}).iterations +
-            (kernel::solve(joint, kOne, kOne, V3<double>{0.49, 0, 0}).iterations == 0);
-  return {judged(f)};
+  const int wrong = kernel::solve(joint, kOne, kOne, V3<double>{0.51, 0, 0}).iterations +
+                    (kernel::solve(joint, kOne, kOne, V3<double>{0.49, 0, 0}).iterations == 0);
+  return {finding("kernel_equilibrium/beyond_reach/iterations")
+              .of("jointc")
+              .about("kernel_equilibrium")
+              .measured(wrong)
+              .equal(0, 0,
+                     "0 iterations say that nothing converged: 0.51 k is more than the law can carry, 0.49 k "
+                     "is not")
+              .by(Oracle::closed_form)};
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ constexpr double kRounded = 3e-16;
 
 struct Worst {
   Measurement error;
-  double least = HUGE_VAL;  ///< |f|
+  Extent size;  ///< |f|
 };
 
 template <int count>
@@ -99,7 +99,7 @@ Worst measured(const Function& f, const double (&c)[count]) {
     Real50 p(0);
     for (int k = count - 1; k >= 0; --k) p = p * x + Real50(c[k]);
     const double error = std::abs(double((p - exact) / exact));
-    worst.least = std::min(worst.least, std::abs(double(exact)));
+    worst.size.include(std::abs(double(exact)));
     worst.error.include(error, fmt::format("at {:.4g}", double(x)));
   }
   return worst;
@@ -111,8 +111,8 @@ void add(std::vector<Finding>& out, const Function& f, const ChebyshevTail& tail
     constexpr int degree = count - 1;
     const Worst worst = measured(f, c);
     out.push_back(at_most(fmt::format("kernel_polynomials/{}/degree_{}", f.name, degree),
-                          "kernel_polynomials", worst.error, tail.beyond(degree) / worst.least + kRounded,
-                          "relative", Oracle::fifty_digits,
+                          "kernel_polynomials", worst.error,
+                          tail.beyond(degree) / worst.size.low() + kRounded, "relative", Oracle::closed_form,
                           "interpolation at Chebyshev points leaves at most twice the rest of the Chebyshev "
                           "series; 3e-16 for coefficients rounded to double"));
   }

@@ -55,7 +55,7 @@ template <int terms>
 Finding small_angle() {
   return at_most(fmt::format("kernel_variants/order_{}", terms), "kernel_variants",
                  worst_angle<kernel::SmallAngle<terms>>(2 * terms), small_angle_bound(terms),
-                 fmt::format("1/rad^{}", 2 * terms).c_str(), Oracle::fifty_digits,
+                 fmt::format("1/rad^{}", 2 * terms).c_str(), Oracle::closed_form,
                  fmt::format("error / phi^{}: the first omitted term, twice for those after it", 2 * terms));
 }
 
@@ -76,7 +76,7 @@ template <int degree>
 Finding polynomial_angle() {
   return at_most(fmt::format("kernel_variants/log_{}", degree), "kernel_variants",
                  worst_angle<kernel::PolynomialAngle<degree>>(0), ellipse_bound(degree), "relative",
-                 Oracle::fifty_digits,
+                 Oracle::closed_form,
                  "interpolation at Chebyshev points: 4 M rho^-n / (rho - 1), the least of all ellipses");
 }
 
@@ -106,7 +106,7 @@ double defect(const NodeLoads<double>& value, const NodeLoads<double>& by) {
   const auto of_largest = [](const auto& x, const auto& y) {
     return largest_entry<double>((x - y).eval()) / largest_entry<double>(y);
   };
-  return std::max(of_largest(value.q, by.q), of_largest(value.tangent, by.tangent));
+  return larger(of_largest(value.q, by.q), of_largest(value.tangent, by.tangent));
 }
 
 /// Loads and tangent of one entry against another's, each over its largest entry.
@@ -121,11 +121,16 @@ Measurement worst_loads(const Entry& entry, const Entry& by, Kind kind) {
 }
 
 std::vector<Finding> by_kernel(const Entry& entry, Kind kind) {
-  return {
-      held(property_finding(entry, kind, "with_kernel"), worst_loads(with_kernel(entry, false), entry, kind),
-           kLimit, "a dozen roundings of the kernel and of the transcription each, over the largest entry"),
-      held(property_finding(entry, kind, "with_kernel_float"),
-           worst_loads(with_kernel(entry, true), entry, kind), kSingleLimit, "the same in eps of float")};
+  const auto compared = [&](const char* name, bool in_float, double limit, const char* why) {
+    return property_finding(entry, kind, name)
+        .measured(worst_loads(with_kernel(entry, in_float), entry, kind))
+        .in("relative")
+        .at_most(limit, why)
+        .by(Oracle::independent);
+  };
+  return {compared("with_kernel", false, kLimit,
+                   "a dozen roundings of the kernel and of the transcription each, over the largest entry"),
+          compared("with_kernel_float", true, kSingleLimit, "the same in eps of float")};
 }
 
 /// Relative error of the angle at 1 rad, the largest of the probes' angles, and rounding.
@@ -181,14 +186,20 @@ std::vector<Finding> variants() {
   std::vector<Finding> out;
   for (const KernelVariant& v : reference::invariant_variants()) {
     const std::string name = fmt::format("variants/{}_{}", v.name.empty() ? "plain" : v.name, v.precision);
-    out.push_back(held(property_finding(invariant, Kind::angular, name + "/moment"),
-                       worst_moment(v, invariant), variant_limit(v),
-                       "the bound of the angle's relative error at 1 rad, and a dozen roundings"));
+    out.push_back(property_finding(invariant, Kind::angular, name + "/moment")
+                      .measured(worst_moment(v, invariant))
+                      .in("relative")
+                      .at_most(variant_limit(v),
+                               "the bound of the angle's relative error at 1 rad, and a dozen roundings")
+                      .by(Oracle::independent));
     if (v.precision == "float")
       continue;  // differences of floats leave four digits: with_kernel_float has it
-    out.push_back(held(property_finding(invariant, Kind::angular, name + "/tangent"),
-                       worst_tangent(v, invariant), 1e-8,
-                       "central differences: step^2 = 1e-10 times third derivatives, eps / step = 2e-11"));
+    out.push_back(
+        property_finding(invariant, Kind::angular, name + "/tangent")
+            .measured(worst_tangent(v, invariant))
+            .in("relative")
+            .at_most(1e-8, "central differences: step^2 = 1e-10 times third derivatives, eps / step = 2e-11")
+            .by(Oracle::independent));
   }
   return out;
 }

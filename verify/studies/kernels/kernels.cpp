@@ -90,11 +90,10 @@ Worst worst(const Entry& entry, Kind kind, const reference::KernelEvaluators<T>&
     c.a = rounded<T>(c.a), c.b = rounded<T>(c.b);
     const auto a = reference::exact_pose(c.a), b = reference::exact_pose(c.b);
     const auto exact = reference::node_loads<Real50>(entry, c.spec, a, b, true);
-    if (!(steepness(entry, c.spec, a, b) <= kSteepest)) continue;
+    if (steepness(entry, c.spec, a, b) > kSteepest) continue;
     const double strain = double(Real50(entry.in_real50.strain(c.spec, a, b).norm()));
     const double stiffness = std::get<reference::LinearSpec>(c.spec.law).matrix.norm();
-    const double of_loads =
-        std::max(stiffness * std::max(strain, floor), double(largest_entry<Real50>(exact.q)));
+    const double of_loads = larger(stiffness * larger(strain, floor), double(largest_entry<Real50>(exact.q)));
     const std::string at = fmt::format("phi = {:.3g} rad", c.phi);
     for (const bool with_tangent : {true, false}) {
       const auto value = kernel_loads(kernel, c, with_tangent);
@@ -112,9 +111,15 @@ constexpr double kLimit = 5e-15;
 
 std::vector<Finding> both(const Entry& entry, Kind kind, const std::string& suffix, const Worst& worst,
                           double limit, const std::string& reason) {
-  return {held(property_finding(entry, kind, "kernel_loads" + suffix), worst.loads, limit, reason),
-          held(property_finding(entry, kind, "kernel_tangent" + suffix), worst.tangent, limit,
-               "of the largest entry")};
+  const auto held = [&](const std::string& what, const Measurement& m, const std::string& why) {
+    return property_finding(entry, kind, what + suffix)
+        .measured(m)
+        .in("relative")
+        .at_most(limit, why)
+        .by(Oracle::independent);
+  };
+  return {held("kernel_loads", worst.loads, reason),
+          held("kernel_tangent", worst.tangent, "of the largest entry")};
 }
 
 std::vector<Finding> in_double(const Entry& entry, Kind kind) {
@@ -128,9 +133,11 @@ std::vector<Finding> in_float(const Entry& entry, Kind kind) {
 }
 
 std::vector<Finding> compensated(const Entry& entry) {
-  return {held(property_finding(entry, Kind::angular, "kernel_compensated"),
-               worst(entry, Kind::angular, entry.kernel.compensated, 0, false, 1).loads, 1e-15,
-               "of |K| |strain| from 2e-12 to 1 rad: a few roundings, none of them magnified")};
+  return {property_finding(entry, Kind::angular, "kernel_compensated")
+              .measured(worst(entry, Kind::angular, entry.kernel.compensated, 0, false, 1).loads)
+              .in("relative")
+              .at_most(1e-15, "of |K| |strain| from 2e-12 to 1 rad: a few roundings, none of them magnified")
+              .by(Oracle::independent)};
 }
 
 }  // namespace

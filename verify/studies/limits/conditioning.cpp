@@ -2,6 +2,7 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
+#include "reference/record/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -34,14 +35,6 @@ double miss(const Vec3<T>& m, const Vec3<Real50>& exact, double phi) {
   return double(Real50((value - exact).norm() / Real50(kRatio * phi)));
 }
 
-/// One decade's worst error and the rotation it was met at.
-struct Worst {
-  double phi = 0, error = 0;
-  void include(double at, double e) {
-    if (!(e <= error)) phi = at, error = e;
-  }
-};
-
 /// The moment at 50 digits of a pair that is exact in T.
 template <class T>
 struct Exact {
@@ -66,13 +59,16 @@ void add_decades(ErrorRows& rows, const Entry& entry, const std::string& what, c
   const JointSpec spec = angular_joint(entry);
   Generator g(2026);
   const auto add = [&](double phi) {
-    Worst worst;
+    Measurement worst;
+    double at = 0;
     for (int i = 0; i < kSamples; ++i) {
       const Exact<T> exact(entry, spec, turned_pair(g, phi, false));
       if (exact.phi == 0) continue;  // both poses rounded to one: there is nothing to be relative to
-      worst.include(exact.phi, miss<T>(loads(spec, exact), exact.moment, exact.phi));
+      const double error = miss<T>(loads(spec, exact), exact.moment, exact.phi);
+      if (worst.is_empty() || !(error <= worst.value())) at = exact.phi;
+      worst.include(error, {});
     }
-    rows.push_back({what, std::string(entry.name), worst.phi, worst.error});
+    if (!worst.is_empty()) rows.push_back({what, std::string(entry.name), at, worst.value()});
   };
   for (int decade = first; decade <= 0; ++decade) add(std::pow(10., decade));
   add(2), add(3);

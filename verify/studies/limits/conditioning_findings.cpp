@@ -24,21 +24,19 @@ using Scale = double (*)(double x);
 /// Largest error of a series over eps x scale(x).
 Finding held(const Entry& entry, const ErrorRows& rows, const std::string& series,
              const std::string& property, double eps, Scale scale, double limit, const std::string& reason) {
-  Finding f = property_finding(entry, Kind::angular, "conditioning_" + property);
-  if (series.ends_with("linear")) f.kind = "linear";
-  if (series.ends_with("linear_angular")) f.kind = "linear_angular";
+  const Kind kind = series.ends_with("linear_angular") ? Kind::linear_angular
+                    : series.ends_with("linear")       ? Kind::linear
+                                                       : Kind::angular;
   Measurement worst;
   for (const ErrorRow& row : rows) {
     if (row.what != series || !row.note.empty()) continue;
     worst.include(row.error / (eps * scale(row.x)), fmt::format("{:.2g}", row.x));
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "eps";
-  f.high = limit;
-  f.oracle = Oracle::fifty_digits;
-  f.reason = reason;
-  return judged(f);
+  return property_finding(entry, kind, "conditioning_" + property)
+      .measured(worst)
+      .in("eps")
+      .at_most(limit, reason)
+      .by(Oracle::fifty_digits);
 }
 
 bool has(const ErrorRows& rows, const std::string& series) {
@@ -66,22 +64,14 @@ std::vector<Finding> over_phi(const Entry& entry) {
   return out;
 }
 
-/// A known failure of Newton's end, not of a formulation: a step below 1e-5 rad that is not a quarter of the
-/// last one is taken for rounding, which it is not where stiff axes make the convergence slow at first.
-Finding not_to_rounding(const Entry& entry, const Measurement& unfinished) {
-  Finding f = property_finding(entry, Kind::angular, "conditioning_ratio_unfinished");
-  f.value = unfinished.value;
-  f.parameter = unfinished.where;
-  f.unit = "relative";
-  f.oracle = Oracle::fifty_digits;
-  f.reason = "every solve ends at rounding";
-  if (f.value > 0) {
-    f.comparison = Comparison::within;
-    f.low = 1e-7, f.high = 1e-4;
-    f.reason = "solves called converged whose last step was below 1e-5 rad, but no rounding";
-  }
-  return judged(f);
+/// Solves that Newton ends too early, known by formulation: stiff axes make its convergence slow at first,
+/// and a step below 1e-5 rad is taken for rounding.
+int known_unfinished(const Entry& entry) {
+  return entry.name == "simbody_xyz" || entry.name == "drake_rpy" ? 1 : 0;
 }
+constexpr const char* kUnfinishedReason =
+    "known failure at a ratio of 1e8: called converged where the last step was below 1e-5 rad, but no "
+    "rounding";
 
 std::vector<Finding> over_ratio(const Entry& entry) {
   const ErrorRows rows = errors_over_ratio(entry);
@@ -94,20 +84,26 @@ std::vector<Finding> over_ratio(const Entry& entry) {
     out.push_back(held(entry, rows, law + "/solve", law + "_solve", kEps, ratio, 8,
                        "eps of the stiffest axis' moment turns the softest axis by eps x ratio"));
   }
-  Finding solved = property_finding(entry, Kind::angular, "conditioning_ratio_unsolved");
-  Measurement unfinished;
+  int unfinished = 0, unsolved = 0;
+  std::string which;
   for (const ErrorRow& row : rows) {
     if (row.note.empty()) continue;
-    const std::string at = fmt::format("{} at {:.0e}: {}", row.what, row.x, row.note);
-    if (std::isfinite(row.error))
-      unfinished.include(row.error, at);
-    else
-      ++solved.value, solved.parameter += at + "; ";
+    ++(std::isfinite(row.error) ? unfinished : unsolved);
+    which += fmt::format("{} at {:.0e}: {}; ", row.what, row.x, row.note);
   }
-  solved.unit = "of 18 solves";
-  solved.reason = "0.3 rad about the softest axis is far from any limit point";
-  out.push_back(not_to_rounding(entry, unfinished));
-  out.push_back(judged(solved));
+  const auto counted = [&](const char* what, int count, const char* why) {
+    return property_finding(entry, Kind::angular, what)
+        .measured(count, which)
+        .in("of 18 solves")
+        .at_most(0, why)
+        .by(Oracle::closed_form);
+  };
+  Draft end =
+      counted("conditioning_ratio_unfinished", unfinished, "what is called converged has ended at rounding");
+  if (const int known = known_unfinished(entry)) end.within(0, known, kUnfinishedReason);
+  out.push_back(end);
+  out.push_back(counted("conditioning_ratio_unsolved", unsolved,
+                        "0.3 rad about the softest axis is far from any limit point"));
   return out;
 }
 
@@ -120,7 +116,7 @@ std::vector<Finding> at_bad_stiffness(const Entry& entry) {
 /// log of the error's growth from 1e-9 to 1e-4, a decade.
 Finding slope(const Entry& entry, const ErrorRows& rows, const std::string& series, double expected,
               const std::string& reason) {
-  double first = 0, last = 0;
+  double first = std::nan(""), last = std::nan("");
   for (const ErrorRow& row : rows) {
     if (row.what != series) continue;
     if (std::abs(row.x / 1e-9 - 1) < 1e-6) first = row.error;
@@ -128,15 +124,10 @@ Finding slope(const Entry& entry, const ErrorRows& rows, const std::string& seri
   }
   const auto slash = series.find('/');
   const Kind kind = series.substr(slash + 1) == "angular" ? Kind::angular : Kind::linear_angular;
-  Finding f = property_finding(entry, kind, "conditioning_" + series.substr(0, slash) + "_slope");
-  f.value = std::log10(last / first) / 5;
-  f.parameter = fmt::format("{:.3g} x drift at 1e-4", last / 1e-4);
-  f.comparison = Comparison::equal;
-  f.expected = expected;
-  f.high = 1e-4;
-  f.oracle = Oracle::closed_form;
-  f.reason = reason + "; the next order is 1e-4 of it at the largest drift, 1e-5 of a decade";
-  return judged(f);
+  return property_finding(entry, kind, "conditioning_" + series.substr(0, slash) + "_slope")
+      .measured(std::log10(last / first) / 5, fmt::format("{:.3g} x drift at 1e-4", last / 1e-4))
+      .equal(expected, 1e-4, reason + "; the next order is 1e-4 of it at the largest drift, 1e-5 of a decade")
+      .by(Oracle::closed_form);
 }
 
 std::vector<Finding> over_drift(const Entry& entry) {
@@ -159,12 +150,10 @@ std::vector<Finding> over_distance(const Entry& entry) {
   std::vector<Finding> out;
   for (const std::string place : {"distance", "offset"}) {
     for (const std::string kind : {"linear", "linear_angular"}) {
-      Finding f = held(
+      out.push_back(held(
           entry, rows, place + "/" + kind, place, kEps, place == "distance" ? from_origin : from_nodes, 8,
           "a turned arm is 5 roundings of its length (matrix of a quaternion, three products), a "
-          "force as many of its own");
-      f.name = fmt::format("{}/{}/conditioning_{}", entry.name, kind, place);
-      out.push_back(f);
+          "force as many of its own"));
     }
   }
   return out;
@@ -185,15 +174,13 @@ std::vector<Finding> refusals() {
                          Bad{"singular", singular, "is singular or indefinite"},
                          Bad{"negative", Vec3<double>(-1, 1, 2).asDiagonal(), "has -1 on its diagonal"}}) {
     const std::string message = scene_refusal(bad.K);
-    Finding f;
-    f.name = fmt::format("conditioning/refused/{}", bad.what);
-    f.subject = "conditioning";
-    f.parameter = message.empty() ? "it was accepted" : message;
-    f.value = message.find(bad.message) == std::string::npos;
-    f.unit = "missing message";
-    f.oracle = Oracle::closed_form;
-    f.reason = fmt::format("must say: {}", bad.message);
-    out.push_back(judged(f));
+    out.push_back(finding(fmt::format("conditioning/refused/{}", bad.what))
+                      .about("conditioning")
+                      .measured(message.find(bad.message) == std::string::npos,
+                                message.empty() ? "it was accepted" : message)
+                      .in("missing message")
+                      .at_most(0, fmt::format("must say: {}", bad.message))
+                      .by(Oracle::closed_form));
   }
   return out;
 }

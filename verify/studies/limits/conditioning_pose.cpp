@@ -1,5 +1,6 @@
 // Poses that are not quite rotations, and joints far from their nodes or from the origin.
 #include "reference/face/instantiations.hpp"
+#include "reference/record/worst.hpp"
 #include "verify/studies/limits/conditioning.hpp"
 
 #include <Eigen/LU>
@@ -33,11 +34,12 @@ double miss(const Eigen::Matrix<Real50, 12, 1>& value, const Eigen::Matrix<Real5
     wrong[part] += d * d;
     size[part] += exact[i] * exact[i];
   }
-  double worst = 0;
+  Measurement worst;
   for (int part = 0; part < 2; ++part) {
-    if (size[part] > Real50(0)) worst = std::max(worst, std::sqrt(double(Real50(wrong[part] / size[part]))));
+    const bool no_such_load = size[part] == Real50(0) && wrong[part] == Real50(0);
+    if (!no_such_load) worst.include(std::sqrt(double(Real50(wrong[part] / size[part]))), {});
   }
-  return worst;
+  return worst.value();
 }
 
 template <class T>
@@ -91,12 +93,10 @@ double distance_error(const Entry& entry, const Placed& p) {
       (value.q.template cast<Real50>() - exact.q).template cast<double>();
   const double force = kStiffest * 0.1, lever = 0.1 + p.spec.a.o.norm();
   const double moment = force * lever + (p.spec.kind == Kind::linear ? 0 : kStiffest * 0.5);
-  double worst = 0;
-  for (int i = 0; i < 12; i += 3) {
-    const double error = wrong.segment<3>(i).norm() / (i % 6 == 0 ? force : moment);
-    if (!(error <= worst)) worst = error;
-  }
-  return worst;
+  Measurement worst;
+  for (int i = 0; i < 12; i += 3)
+    worst.include(wrong.segment<3>(i).norm() / (i % 6 == 0 ? force : moment), {});
+  return worst.value();
 }
 
 }  // namespace
@@ -138,12 +138,10 @@ ErrorRows errors_over_distance(const Entry& entry) {
       const std::string series = std::string(offset ? "offset/" : "distance/") + to_string(kind);
       for (int decade = -9; decade <= 9; ++decade) {
         const double length = std::pow(10., decade);
-        double worst = 0;
-        for (int i = 0; i < kPoses; ++i) {
-          const double error = distance_error(entry, placed(g, entry, kind, length, offset));
-          if (!(error <= worst)) worst = error;
-        }
-        rows.push_back({series, std::string(entry.name), length, worst});
+        Measurement worst;
+        for (int i = 0; i < kPoses; ++i)
+          worst.include(distance_error(entry, placed(g, entry, kind, length, offset)), {});
+        rows.push_back({series, std::string(entry.name), length, worst.value()});
       }
     }
   }

@@ -86,54 +86,43 @@ std::optional<double> jump_at_pi(const Known& k, int axis) {
   return std::nullopt;
 }
 
-Finding named(const Entry& entry, const std::string& property, double value, const std::string& where) {
-  Finding f = property_finding(entry, Kind::angular, property);
-  f.value = value;
-  f.parameter = where;
-  f.oracle = Oracle::closed_form;
-  f.comparison = Comparison::report;
-  f.reason = "not in the table of measures: measured only";
-  return f;
+Draft named(const Entry& entry, const std::string& property, double value, const std::string& where) {
+  return property_finding(entry, Kind::angular, property)
+      .measured(value, where)
+      .reported("not in the table of measures: measured only")
+      .by(Oracle::closed_form);
 }
 
 /// Held to its closed form; what is not zero is a known failure of the formulation.
-void expect(Finding& f, double expected, double limit, const std::string& reason) {
-  f.comparison = expected > 0 ? Comparison::within : Comparison::equal;
-  f.expected = expected;
-  f.low = expected - limit;
-  f.high = expected > 0 ? expected + limit : limit;
-  f.reason = reason;
+void expect(Draft& f, double expected, double limit, const std::string& reason) {
+  f.equal(expected, limit, reason);
+  if (expected > 0) f.within(expected - limit, expected + limit, reason);
 }
 
 /// 1e-20 rad beside the angle moments differ by 1e-20 of a few |K| from their limits; expected in double.
 constexpr double kLimitAtAngle = 1e-14;
 
 Finding at_pi(const Entry& entry, const Crossing& c, int axis) {
-  Finding f = named(entry, "jump_at_pi_axis_" + axis_name(axis), c.jump, c.behaviour);
-  f.unit = "|K| pi";
   const Known* k = known(entry);
-  if (k == nullptr) return judged(f);
-  if (k->measure == Measure::cayley) {
-    f.name = property_finding(entry, Kind::angular, "pole_at_pi_axis_" + axis_name(axis)).name;
-    f.value = c.order;
-    f.unit = "order";
-    expect(f, 3, 1e-6, "tan(phi/2)/cos^2(phi/2): the third power of the distance");
-  } else if (const auto jump = jump_at_pi(*k, axis)) {
-    expect(f, *jump, kLimitAtAngle, "closed form of the measure; rounding of the expected value");
-  } else {
-    f.reason = "Euler angles about no axis of theirs: measured only";
+  if (k != nullptr && k->measure == Measure::cayley) {
+    Draft pole = named(entry, "pole_at_pi_axis_" + axis_name(axis), c.order, c.behaviour).in("order");
+    expect(pole, 3, 1e-6, "tan(phi/2)/cos^2(phi/2): the third power of the distance");
+    return pole;
   }
-  return judged(f);
+  Draft f = named(entry, "jump_at_pi_axis_" + axis_name(axis), c.jump, c.behaviour).in("|K| pi");
+  if (k == nullptr) return f;
+  if (const auto jump = jump_at_pi(*k, axis))
+    expect(f, *jump, kLimitAtAngle, "closed form of the measure; rounding of the expected value");
+  else
+    f.reported("Euler angles about no axis of theirs: measured only");
+  return f;
 }
 
 /// R is the identity there, and a function of R alone has forgotten the turn.
 Finding at_full_turn(const Entry& entry, const Crossing& c, int axis) {
-  Finding f = named(entry, "moment_at_full_turn_axis_" + axis_name(axis), c.moment, c.behaviour);
-  f.unit = "|K| 2 pi";
-  f.comparison = Comparison::at_most;
-  f.high = 1e-19;
-  f.reason = "no rotation is left of a full turn: 1e-20 rad beside it the moment is 1e-20 |K|";
-  return judged(f);
+  return named(entry, "moment_at_full_turn_axis_" + axis_name(axis), c.moment, c.behaviour)
+      .in("|K| 2 pi")
+      .at_most(1e-19, "no rotation is left of a full turn: 1e-20 rad beside it the moment is 1e-20 |K|");
 }
 
 /// A quarter turn about the middle of three axes.
@@ -143,19 +132,17 @@ void add_middle_axis(std::vector<Finding>& out, const Entry& entry) {
   const int middle = k->sequence[1] - '0';
   const Crossing c = crossing(entry, turn_axis(middle), "pi/2", pi50() / Real50(2));
   if (k->measure == Measure::euler_conjugate) {
-    Finding f = named(entry, "pole_at_middle_axis", c.order, c.behaviour);
-    f.unit = "order";
+    Draft f = named(entry, "pole_at_middle_axis", c.order, c.behaviour).in("order");
     expect(f, 1, 1e-6, "the axes of the outer turns meet as cos: the moment grows as 1/distance");
-    out.push_back(judged(f));
+    out.push_back(f);
     return;
   }
   Vec3<double> outer = stiffness();
   outer[middle - 1] = 0;
-  Finding f = named(entry, "jump_at_middle_axis", c.jump, c.behaviour);
-  f.unit = "|K| pi/2";
+  Draft f = named(entry, "jump_at_middle_axis", c.jump, c.behaviour).in("|K| pi/2");
   expect(f, 2 * outer.norm() / stiffness().maxCoeff(), kLimitAtAngle,
          "both outer angles jump from 0 to pi; the moment is projected, so it stays finite");
-  out.push_back(judged(f));
+  out.push_back(f);
 }
 
 /// About the generic axis an outer Euler angle passes pi before or after the rotation does: where
@@ -166,15 +153,15 @@ void add_outer_angle(std::vector<Finding>& out, const Entry& entry) {
   const Real50 before = Real50(2) * atan(Real50(7)), after = pi50() + pi50() - before;
   Crossing c = crossing(entry, turn_axis(0), "", before);
   const Crossing other = crossing(entry, turn_axis(0), "", after);
-  if (other.jump > c.jump) c = other;
-  Finding f = named(entry, "jump_of_outer_angle", c.jump, fmt::format("phi = {:.6g} pi", c.phi / kPi));
-  f.unit = "|K| phi";
-  f.reason = "depends on the rate of the angles: measured only";
+  if (!(larger(c.jump, other.jump) == c.jump)) c = other;
+  Draft f = named(entry, "jump_of_outer_angle", c.jump, fmt::format("phi = {:.6g} pi", c.phi / kPi))
+                .in("|K| phi")
+                .reported("depends on the rate of the angles: measured only");
   if (k->measure == Measure::euler_projected) {
     expect(f, 2 * kPi * stiffness()[2] / (stiffness().maxCoeff() * c.phi), kLimitAtAngle,
            "the outer angle jumps by 2 pi, at 0.91 or 1.09 pi already");
   }
-  out.push_back(judged(f));
+  out.push_back(f);
 }
 
 std::vector<Finding> turns(const Entry& entry) {
@@ -189,38 +176,40 @@ std::vector<Finding> turns(const Entry& entry) {
   return out;
 }
 
+/// How many digits double loses before a lock.
+Finding rounding(const Entry& entry, const Gimbal& g) {
+  Measurement lost;
+  for (std::size_t i = 0; i < g.distance.size() && g.distance[i] > 1e-13; ++i)
+    lost.include(g.error[i] * g.distance[i] / std::numeric_limits<double>::epsilon(),
+                 fmt::format("{:.2g} rad before", g.distance[i]));
+  return property_finding(entry, Kind::angular, "gimbal_rounding")
+      .measured(lost)
+      .in("eps / distance")
+      .at_most(6, fmt::format(
+                      "rounded matrices tell the outer angles to a few eps/distance; 1e-6 is lost at {:.2g} "
+                      "rad, 1e-3 at {:.2g}",
+                      g.lost_1e6, g.lost_1e3))
+      .by(Oracle::fifty_digits);
+}
+
 /// Which lock, how it grows, and where double loses its digits.
 std::vector<Finding> gimbal(const Entry& entry) {
   const Known* k = known(entry);
   const auto locks = gimbal_locks(entry);
   std::vector<Finding> out;
-  Finding count = named(entry, "gimbal_locks", double(locks.size()), locks.empty() ? "" : locks[0].sequence);
+  Draft count = named(entry, "gimbal_locks", double(locks.size()), locks.empty() ? "" : locks[0].sequence);
   if (k != nullptr)
     expect(count, k->sequence.empty() ? 0 : 1, 0, "one for a measure of three angles, else none");
-  out.push_back(judged(count));
+  out.push_back(count);
   for (const Gimbal& g : locks) {
     const bool is_conjugate = k != nullptr && k->measure == Measure::euler_conjugate;
-    Finding tangent = named(entry, "gimbal_tangent_order", g.tangent_order, g.sequence);
-    Finding load = named(entry, "gimbal_load_order", g.load_order, g.sequence);
+    Draft tangent = named(entry, "gimbal_tangent_order", g.tangent_order, g.sequence);
+    Draft load = named(entry, "gimbal_load_order", g.load_order, g.sequence);
     if (k != nullptr) {
       expect(tangent, is_conjugate ? 2 : 1, 1e-6, "one 1/cos for the rate, one for each conjugate moment");
       expect(load, is_conjugate ? 1 : 0, 1e-6, "1/cos for a conjugate moment, none for a projected one");
     }
-    Finding lost = named(entry, "gimbal_rounding", 0, "");
-    for (std::size_t i = 0; i < g.distance.size() && g.distance[i] > 1e-13; ++i) {
-      const double scaled = g.error[i] * g.distance[i] / std::numeric_limits<double>::epsilon();
-      if (scaled > lost.value)
-        lost.value = scaled, lost.parameter = fmt::format("{:.2g} rad before", g.distance[i]);
-    }
-    lost.unit = "eps / distance";
-    lost.comparison = Comparison::at_most;
-    lost.oracle = Oracle::fifty_digits;
-    lost.high = 6;
-    lost.reason = fmt::format(
-        "rounded matrices tell the outer angles to a few eps/distance; 1e-6 is lost at {:.2g} rad, 1e-3 at "
-        "{:.2g}",
-        g.lost_1e6, g.lost_1e3);
-    for (const Finding& f : {tangent, load, lost}) out.push_back(judged(f));
+    for (const Finding& f : {Finding(tangent), Finding(load), rounding(entry, g)}) out.push_back(f);
   }
   return out;
 }

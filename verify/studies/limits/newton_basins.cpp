@@ -30,62 +30,51 @@ constexpr double kDifferenceFactor =
 const Vec3<double> kStart{0.01, -0.015, 0.008};   // rad: off rest, from where some laws need one step
 const Vec3<double> kResponse{0.06, 0.05, 0.062};  // rad: small enough for every tangent to converge
 
-Finding finding(const Entry& entry, const std::string& what) {
-  Finding f;
-  f.name = fmt::format("{}/angular/newton_{}", entry.name, what);
-  f.formulation = entry.name;
-  f.kind = to_string(Kind::angular);
-  f.subject = "newton_basins";
-  return f;
+Draft of_newton(const Entry& entry, const std::string& what) {
+  return finding(fmt::format("{}/angular/newton_{}", entry.name, what))
+      .of(std::string(entry.name), to_string(Kind::angular))
+      .about("newton_basins");
 }
 
 Finding analytic_order(const Entry& entry, const reference::Scene& block) {
   constexpr int kRuns = 7;
-  Finding f = finding(entry, "order_analytic");
-  f.value = pooled_order(block, entry, 1, kRuns);
-  f.unit = "order";
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.expected = 2;
-  f.high = 0.1;
-  f.reason = fmt::format(
-      "Newton's order; over the errors 1e-2 ... 1e-44 of {} runs, whose constants differ by up to ten",
-      kRuns);
-  return judged(f);
+  return of_newton(entry, "order_analytic")
+      .measured(pooled_order(block, entry, 1, kRuns))
+      .in("order")
+      .equal(2, 0.1,
+             fmt::format("Newton's order; over the errors 1e-2 ... 1e-44 of {} runs, whose constants differ "
+                         "by up to ten",
+                         kRuns))
+      .by(Oracle::closed_form);
 }
 
 std::vector<Finding> linear_order(const Entry& entry, const reference::Scene& block, NewtonTangent tangent) {
   const NewtonOrder o = newton_order(block, entry, tangent, 1, kStart);
-  Finding order = finding(entry, fmt::format("order_{}", to_string(tangent)));
-  order.value = o.order;
-  order.unit = "order";
-  order.comparison = Comparison::equal;
-  order.oracle = Oracle::closed_form;
-  order.expected = 1;
-  order.high = tangent == NewtonTangent::forward_difference ? kDifferenceOrder : kLinearOrder;
-  order.parameter = fmt::format("{} iterations to 50 digits", o.iterations);
-  order.reason = kLinearOrderReason;
-  Finding factor = finding(entry, fmt::format("factor_{}", to_string(tangent)));
-  factor.value = std::abs(std::log(o.factor / o.predicted));
-  factor.unit = "|ln(measured/predicted)|";
-  factor.oracle = Oracle::independent;
-  factor.parameter = fmt::format("measured {:.4g}, predicted {:.4g}", o.factor, o.predicted);
-  factor.high = tangent == NewtonTangent::forward_difference ? kDifferenceFactor : kLinearFactor;
-  factor.reason =
-      "predicted: spectral radius of 1 - M^-1 J at the solution; the mean over the last third of "
-      "the steps still turns with the error's direction";
-  return {judged(order), judged(factor)};
+  const bool by_differences = tangent == NewtonTangent::forward_difference;
+  return {of_newton(entry, fmt::format("order_{}", to_string(tangent)))
+              .measured(o.order, fmt::format("{} iterations to 50 digits", o.iterations))
+              .in("order")
+              .equal(1, by_differences ? kDifferenceOrder : kLinearOrder, kLinearOrderReason)
+              .by(Oracle::closed_form),
+          of_newton(entry, fmt::format("factor_{}", to_string(tangent)))
+              .measured(std::abs(std::log(o.factor / o.predicted)),
+                        fmt::format("measured {:.4g}, predicted {:.4g}", o.factor, o.predicted))
+              .in("|ln(measured/predicted)|")
+              .at_most(
+                  by_differences ? kDifferenceFactor : kLinearFactor,
+                  "predicted: spectral radius of 1 - M^-1 J at the solution; the mean over the last third of "
+                  "the steps still turns with the error's direction")
+              .by(Oracle::independent)};
 }
 
 /// Without load a tangent is symmetric, and symmetrising it changes nothing to first order.
 Finding unloaded(const Entry& entry, const reference::Scene& block) {
-  Finding f = finding(entry, "factor_unloaded");
-  f.value = newton_order(block, entry, NewtonTangent::symmetrised, 0, kResponse).predicted;
-  f.unit = "linear factor of the symmetrised tangent";
-  f.oracle = Oracle::closed_form;
-  f.high = 1e-40;
-  f.reason = "J = K at the unstrained pose, symmetric: the factor vanishes to the rounding of 50 digits";
-  return judged(f);
+  return of_newton(entry, "factor_unloaded")
+      .measured(newton_order(block, entry, NewtonTangent::symmetrised, 0, kResponse).predicted)
+      .in("linear factor of the symmetrised tangent")
+      .at_most(1e-40,
+               "J = K at the unstrained pose, symmetric: the factor vanishes to the rounding of 50 digits")
+      .by(Oracle::closed_form);
 }
 
 std::vector<Finding> orders(const Entry& entry) {
@@ -103,14 +92,13 @@ std::vector<Finding> maps(const Entry& entry) {
   std::vector<Finding> out;
   for (const auto& grid : reference::load_grids(kResolution)) {
     const auto map = reference::BasinMaps(grid, entry).map(NewtonTangent::analytic);
-    Finding f = finding(entry, fmt::format("safe_step_{}", grid.name));
-    f.value = map.safe_step;
-    f.unit = grid.is_response ? "rad of linear response" : "N m";
-    f.comparison = Comparison::report;
-    f.parameter = fmt::format("{:.1f} % of {} single steps up to {:g} reach the continuous branch",
-                              100 * map.share, map.cells.size(), grid.largest);
-    f.reason = "the largest step up to which every smaller one of the grid does, in every direction";
-    out.push_back(judged(f));
+    out.push_back(
+        of_newton(entry, fmt::format("safe_step_{}", grid.name))
+            .measured(map.safe_step,
+                      fmt::format("{:.1f} % of {} single steps up to {:g} reach the continuous branch",
+                                  100 * map.share, map.cells.size(), grid.largest))
+            .in(grid.is_response ? "rad of linear response" : "N m")
+            .reported("the largest step up to which every smaller one of the grid does, in every direction"));
   }
   return out;
 }
@@ -119,16 +107,9 @@ std::vector<Finding> maps(const Entry& entry) {
 Finding equilibria(const Entry& entry) {
   constexpr double kMoment = 1000;
   const auto map = start_map(entry, NewtonTangent::analytic, kMoment, kStarts);
-  Finding f = finding(entry, "start_imbalance");
-  f.unit = "relative to the load";
-  f.oracle = Oracle::independent;
-  f.high = 1e-13;
-  f.reason = "64 eps of 1000 N m and of the unstrained tangent, 2600 N m/rad, over the load";
-  if (map.equilibria.empty() && !map.has_branch) {
-    f.verdict = Verdict::left_out;
-    f.reason = "no start converges and no path reaches this load";
-    return f;
-  }
+  Draft f = of_newton(entry, "start_imbalance");
+  if (map.equilibria.empty() && !map.has_branch)
+    return f.left_out("no start converges and no path reaches this load");
   const reference::Scene& c3 = scene("c3_buckling");
   reference::JointSpec spec = c3.joint;
   spec.xi = entry.probe_xi;
@@ -139,9 +120,12 @@ Finding equilibria(const Entry& entry) {
     worst.include((m / kMoment - c3.loads.front().value).norm(),
                   fmt::format("{:.4f} {:.4f} {:.4f} rad", e.theta[0], e.theta[1], e.theta[2]));
   }
-  f.value = worst.value;
-  f.parameter = fmt::format("{} equilibria at {} N m; {}", map.equilibria.size(), kMoment, worst.where);
-  return judged(f);
+  return f
+      .measured(worst.value(),
+                fmt::format("{} equilibria at {} N m; {}", map.equilibria.size(), kMoment, worst.where()))
+      .in("relative to the load")
+      .at_most(1e-13, "64 eps of 1000 N m and of the unstrained tangent, 2600 N m/rad, over the load")
+      .by(Oracle::independent);
 }
 
 /// One rotation about one axis of an isotropic joint: Newton on the scalar function itself.
@@ -187,7 +171,6 @@ std::vector<Finding> scalars() {
     scene.loads = {{reference::LoadType::fixed_moment, {0.36, 0.48, 0.8}}};
     const Entry& entry = *reference::find_formulation(scalar.formulation);
     const reference::EquilibriumProblem<double> problem(scene, entry, entry.probe_xi);
-    Finding f = finding(entry, "scalar");
     Measurement worst;
     int compared = 0;
     for (int k = 1; k <= 150; ++k) {
@@ -203,15 +186,15 @@ std::vector<Finding> scalars() {
           run.end == reference::NewtonEnd::converged && same_count ? std::abs(angle - x) : std::nan(""),
           fmt::format("{:g} k rad", 0.02 * k));
     }
-    f.value = compared > 0 ? worst.value : std::nan("");
-    f.unit = "rad";
-    f.parameter = fmt::format("{} of 150 moments compared; {}", compared, worst.where);
-    f.oracle = Oracle::closed_form;
-    f.high = 1e-12;
-    f.reason =
-        "the same iterates of a scalar equation, in the same number of steps give or take the last; "
-        "64 eps over a slope of 0.1 at least";
-    out.push_back(judged(f));
+    out.push_back(
+        of_newton(entry, "scalar")
+            .measured(worst.value(), fmt::format("{} of 150 moments compared; {}", compared, worst.where()))
+            .in("rad")
+            .at_most(1e-12,
+                     "the same iterates of a scalar equation, in the same number of steps give or take the "
+                     "last; 64 "
+                     "eps over a slope of 0.1 at least")
+            .by(Oracle::closed_form));
   }
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
+#include "reference/record/worst.hpp"
 #include "reference/solve/paths/singular_algebra.hpp"
 
 #include <Eigen/LU>
@@ -19,9 +20,9 @@ constexpr double kLeastError = 1e-44;
 
 double spectral_radius(const Mat3<double>& m) {
   const auto values = eigenvalues(m);
-  double largest = values.empty() ? std::nan("") : 0;
-  for (const auto& value : values) largest = std::max(largest, std::abs(value));
-  return largest;
+  Extent size;
+  for (const auto& value : values) size.include(std::abs(value));
+  return size.high();
 }
 
 /// Angles from every iterate to the solution, rad, down to the last that the digits still show.

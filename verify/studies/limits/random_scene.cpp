@@ -1,6 +1,7 @@
 #include "verify/studies/limits/random_scene.hpp"
 
 #include "reference/face/instantiations.hpp"
+#include "reference/record/worst.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +183,7 @@ Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome
                             row.segment<3>(node).sum() * reach + row.segment<3>(node + 3).sum();
     const double off = std::abs(loads.q[node + i] - applied[i]);
     if (off == 0) continue;
-    out.in_rounding = std::max(out.in_rounding, off / rounding / std::numeric_limits<double>::epsilon());
+    keep_largest(out.in_rounding, off / rounding / std::numeric_limits<double>::epsilon());
     if (!std::isfinite(off / rounding)) out.is_finite = false;
   }
   return out;

@@ -12,6 +12,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
+#include <utility>
 
 namespace halfway::verify {
 namespace {
@@ -30,8 +32,7 @@ struct Tally {
   int broken = 0;           ///< not finite, or a status that is none
   int unnamed = 0;          ///< curves that say nothing
   Measurement in_rounding;  ///< of converged states
-  Measurement iterations;
-  Measurement from_truth;  ///< of some of the converged states
+  Measurement from_truth;   ///< of some of the converged states
 };
 
 void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& tally) {
@@ -45,7 +46,6 @@ void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& 
   if (state.status == Status::converged) tally.in_rounding.include(sound.in_rounding, where);
   if (state.status == Status::converged && index % kTrue == 0)
     tally.from_truth.include(distance_to_equilibrium(random, entry, state), where);
-  tally.iterations.include(state.iterations, where);
 }
 
 /// What a user reads: a sentence, and no row that is not a number.
@@ -72,37 +72,61 @@ Tally solve_all(const Entry& entry) {
   return tally;
 }
 
-Finding finding(const Entry& entry, const std::string& what) {
-  Finding f;
-  f.name = fmt::format("{}/random_scenes/{}", entry.name, what);
-  f.formulation = entry.name;
-  f.subject = "random_scenes";
-  return f;
+Draft of_scenes(const Entry& entry, const std::string& what) {
+  return finding(fmt::format("{}/random_scenes/{}", entry.name, what))
+      .of(std::string(entry.name))
+      .about("random_scenes");
+}
+
+/// Scenes of 600 that end in equilibrium, kept from this code. Loads beyond what a law carries and laws that
+/// soften leave the others without one; a solver that gives up early falls below.
+constexpr std::pair<std::string_view, int> kConverged[] = {
+    {"attached_a", 402},     {"attached_b", 394}, {"invariant", 397},   {"intrinsic", 386},
+    {"jointc", 373},         {"field_a", 395},    {"field_b", 390},     {"conformal", 404},
+    {"potential", 396},      {"helicoidal", 403}, {"quaternion", 388},  {"cayley", 486},
+    {"simbody_xyz", 397},    {"drake_rpy", 399},  {"chrono_body", 396}, {"exudyn_intrinsic", 402},
+    {"mbdyn_joint_inv", 400}};
+constexpr int kFewest = 373;  ///< of a formulation that is not in the table
+constexpr int kEdge = 12;     ///< scenes at a limit point: rounding says whether they arrive
+
+double least_share(const Entry& entry) {
+  const auto* kept = std::ranges::find(kConverged, entry.name, &std::pair<std::string_view, int>::first);
+  return double((kept == std::end(kConverged) ? kFewest : kept->second) - kEdge) / kScenes;
 }
 
 std::vector<Finding> solved(const Entry& entry) {
   const Tally tally = solve_all(entry);
-  Finding ends = finding(entry, "without_an_end");
-  ends.value = tally.broken + tally.unnamed;
-  ends.unit = "scenes";
-  ends.parameter =
+  const std::string ends =
       fmt::format("of {}: {} converged, {} stopped at a singular tangent, {} where no load step converges",
                   kScenes, tally.ends[0], tally.ends[1], tally.ends[2]);
-  ends.reason = "every scene ends with finite numbers and one of three named ends";
   return {
-      judged(ends),
-      held(
-          finding(entry, "imbalance"), tally.in_rounding, 100,
-          "what the solver itself takes for rounding, here by the formulation's own loads: 78 at worst, what "
-          "stops too early 1000 and more; distance_to_equilibrium is the independent road",
-          "eps of the loads and of the tangent times the pose"),
-      held(finding(entry, "iterations"), tally.iterations, 40000,
-           "an advance ends after 20 000 iterations at its next rejected step, at most 1e4 iterations later",
-           "Newton iterations"),
-      held(finding(entry, "distance_to_equilibrium"), tally.from_truth, 1e-5,
-           "100 eps of the loads over a stiffness ratio of 1e8, and the condition of a softened or turned "
-           "tangent",
-           "rad, or of 1 m + |x|")};
+      of_scenes(entry, "without_an_end")
+          .measured(tally.broken + tally.unnamed, ends)
+          .in("scenes")
+          .at_most(0, "every scene ends with finite numbers and one of three named ends")
+          .by(Oracle::closed_form),
+      of_scenes(entry, "converged")
+          .measured(double(tally.ends[0]) / kScenes, ends)
+          .in("share of the scenes")
+          .at_least(least_share(entry),
+                    "as many as ever, but for 2 % of the scenes that stand at a limit point")
+          .by(Oracle::kept),
+      of_scenes(entry, "imbalance")
+          .measured(tally.in_rounding)
+          .in("eps of the loads and of the tangent times the pose")
+          .at_most(
+              100,
+              "what the solver itself takes for rounding, here by the formulation's own loads: 78 at worst, "
+              "what stops too early 1000 and more; distance_to_equilibrium is the independent road")
+          .by(Oracle::independent),
+      of_scenes(entry, "distance_to_equilibrium")
+          .measured(tally.from_truth)
+          .in("rad, or of 1 m + |x|")
+          .at_most(
+              1e-5,
+              "100 eps of the loads over a stiffness ratio of 1e8, and the condition of a softened or turned "
+              "tangent")
+          .by(Oracle::fifty_digits)};
 }
 
 /// "": read; else what is wrong with the refusal, or with what was read.
@@ -128,21 +152,23 @@ std::vector<Finding> read_all() {
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("halfway_random_{}", getpid());
   std::filesystem::create_directories(folder);
   reference::Generator generator(20261);
-  Finding f;
-  f.name = "scenes/random_mistakes";
-  f.subject = "scenes";
-  f.unit = "files";
-  f.reason = "each is read, or refused with file, line and what is allowed";
+  int wrong = 0;
+  std::string last;
   for (int i = 0; i < kTexts; ++i) {
     const auto file = folder / "scene.toml";
     std::ofstream(file, std::ios::binary) << random_scene_text(generator);
     const std::string what = fault(file);
     if (what.empty()) continue;
-    f.value += 1;
-    f.parameter = fmt::format("file {}: {}", i, what);
+    ++wrong;
+    last = fmt::format("file {}: {}", i, what);
   }
   std::filesystem::remove_all(folder);
-  return {judged(f)};
+  return {finding("scenes/random_mistakes")
+              .about("scenes")
+              .measured(wrong, last)
+              .in("files")
+              .at_most(0, "each is read, or refused with file, line and what is allowed")
+              .by(Oracle::closed_form)};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "verify/studies/limits/turns.hpp"
 
 #include "reference/face/instantiations.hpp"
+#include "reference/record/worst.hpp"
 
 #include <gsl/gsl_linalg.h>
 
@@ -49,13 +50,13 @@ TurnPoint point(const Entry& entry, const Vec3<Real50>& axis, const std::string&
 /// One distance on both sides.
 struct Sides {
   AngularLoads<Real50> before, after;
-  double loads() const { return std::max(size(before.m_b), size(after.m_b)); }
-  double tangent() const { return std::max(size(before.m_b_wb), size(after.m_b_wb)); }
+  double loads() const { return larger(size(before.m_b), size(after.m_b)); }
+  double tangent() const { return larger(size(before.m_b_wb), size(after.m_b_wb)); }
 };
 
 /// near = far * (distance ratio)^-order.
 double order(double far, double near, double decades) {
-  return far > 0 && near > 0 ? std::log10(near / far) / decades : 0;
+  return far == 0 || near == 0 ? 0 : std::log10(near / far) / decades;
 }
 
 std::string behaviour(const Crossing& c) {

@@ -22,10 +22,12 @@ Mat3<double> turned(double phi) { return so3::exp<double>(phi * Vec3<double>(2, 
 
 Finding expected(const std::string& name, double value, double expectation, double limit, const char* unit,
                  const std::string& reason) {
-  Finding f = at_most(name, kSubject, {value}, limit, unit, Oracle::closed_form, reason);
-  f.comparison = Comparison::equal;
-  f.expected = expectation;
-  return reference::judged(f);
+  return finding(name)
+      .about(kSubject)
+      .measured(value)
+      .in(unit)
+      .equal(expectation, limit, reason)
+      .by(Oracle::closed_form);
 }
 
 /// Moment about a generic axis of a spring with unequal stiffnesses, wound by five turns and not unwrapped.
@@ -48,8 +50,8 @@ std::vector<Finding> spring() {
     last = n.dot(m);
     energy.include(std::abs(work / (phi * phi * n.dot(Kn) / 2) - 1), fmt::format("phi = {:.4g} rad", phi));
     const Vec3<double> forgetful = AttachedA{}.angular<false>(wrapped, law).m;
-    wrapped_most = std::max(wrapped_most, forgetful.norm() / Kn.norm());
-    jump = std::max(jump, (forgetful - wrapped_before).norm() / Kn.norm());
+    keep_largest(wrapped_most, forgetful.norm() / Kn.norm());
+    keep_largest(jump, (forgetful - wrapped_before).norm() / Kn.norm());
     wrapped_before = forgetful;
   }
   const double eps = std::numeric_limits<double>::epsilon();
@@ -91,11 +93,13 @@ Finding tangent(const F& formulation) {
         worst.include(double(abs(m[i].d - exact.m_psi(i, j))) / size, fmt::format("phi = {} rad", phi));
     }
   }
-  Finding f = at_most(fmt::format("unwrapped/tangent/{}", F::name), kSubject, worst, kRounding, "relative",
-                      Oracle::independent, kRoundingReason);
-  f.formulation = F::name;
-  f.kind = "angular";
-  return f;
+  return finding(fmt::format("unwrapped/tangent/{}", F::name))
+      .of(F::name, "angular")
+      .about(kSubject)
+      .measured(worst)
+      .in("relative")
+      .at_most(kRounding, kRoundingReason)
+      .by(Oracle::independent);
 }
 
 std::vector<Finding> tangents() {

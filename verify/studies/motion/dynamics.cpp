@@ -132,13 +132,13 @@ std::vector<Finding> order(bool free) {
     };
     const long steps = order == Order::two ? 1600 : 800;
     const double coarse = error(steps), fine = error(2 * steps);
-    Finding f = limited(
-        fmt::format("order/{}/{}", s.name, order == Order::two ? "two" : "four"), std::log2(coarse / fine),
-        0.05, Oracle::independent, "the next power of the step, against the leading one",
-        fmt::format("{} and {} steps, errors {:.3g} and {:.3g}", steps, 2 * steps, coarse, fine));
-    f.comparison = Comparison::equal;
-    f.expected = order == Order::two ? 2 : 4;
-    out.push_back(judged(f));
+    out.push_back(
+        finding(fmt::format("dynamics/order/{}/{}", s.name, order == Order::two ? "two" : "four"))
+            .about("dynamics")
+            .measured(std::log2(coarse / fine), fmt::format("{} and {} steps, errors {:.3g} and {:.3g}",
+                                                            steps, 2 * steps, coarse, fine))
+            .equal(order == Order::two ? 2 : 4, 0.05, "the next power of the step, against the leading one")
+            .by(Oracle::closed_form));
   }
   return out;
 }
@@ -172,10 +172,12 @@ std::vector<Finding> reversal() {
     State state = s.start;
     advance(system, Order::four, 0.02, 500, state);
     advance(system, Order::four, -0.02, 500, state);
-    Finding f = limited(fmt::format("reversal/{}", entry.name), distance(state, s.start), 1e-12,
-                        Oracle::closed_form, "rounding of 3000 kicks, carried apart by the motion meanwhile");
-    f.formulation = entry.name;
-    out.push_back(judged(f));
+    out.push_back(finding(fmt::format("dynamics/reversal/{}", entry.name))
+                      .of(std::string(entry.name))
+                      .about("dynamics")
+                      .measured(distance(state, s.start))
+                      .at_most(1e-12, "rounding of 3000 kicks, carried apart by the motion meanwhile")
+                      .by(Oracle::closed_form));
   }
   return out;
 }

@@ -17,31 +17,20 @@ using reference::counted;
 using reference::Counting;
 using reference::OperationCount;
 
-constexpr const char* kWhole = "counts are whole numbers";
-
-Finding count_finding(const std::string& name, const char* subject, long value, const char* unit) {
-  Finding f;
-  f.name = "counting/" + name;
-  f.subject = subject;
-  f.value = double(value);
-  f.unit = unit;
-  f.reason = kWhole;
-  return f;
-}
-
-Finding equal(Finding f, long expected, Oracle oracle) {
-  f.comparison = Comparison::equal;
-  f.expected = double(expected);
-  f.oracle = oracle;
-  return judged(f);
+Finding equal(const std::string& name, long value, long expected, Oracle oracle) {
+  return finding("counting/" + name)
+      .about("counting")
+      .measured(double(value))
+      .in("operations")
+      .equal(double(expected), 0, "counts are whole numbers")
+      .by(oracle);
 }
 
 /// One finding per sort of operation, each with the number that was counted by hand.
 void compare(std::vector<Finding>& out, const std::string& name, const OperationCount& found,
              const OperationCount& by_hand) {
   const auto add = [&](const char* what, long OperationCount::*member) {
-    out.push_back(equal(count_finding(name + '/' + what, "counting", found.*member, "operations"),
-                        by_hand.*member, Oracle::closed_form));
+    out.push_back(equal(name + '/' + what, found.*member, by_hand.*member, Oracle::closed_form));
   };
   add("additions", &OperationCount::additions);
   add("multiplications", &OperationCount::multiplications);
@@ -76,12 +65,12 @@ std::vector<Finding> by_hand() {
     inner = counted([&] { dot *= 2; }).flops();
   });
   compare(out, "nested", outer, {.additions = 1});
-  out.push_back(
-      equal(count_finding("nested/inner", "counting", inner, "operations"), 1, Oracle::closed_form));
-  Finding f = count_finding("value", "counting", 0, "");
-  f.value = double(value) - expression<double>(1, -3, 2);
-  f.reason = "the very same operations in double: not one rounding differs";
-  out.push_back(equal(f, 0, Oracle::independent));
+  out.push_back(equal("nested/inner", inner, 1, Oracle::closed_form));
+  out.push_back(finding("counting/value")
+                    .about("counting")
+                    .measured(double(value) - expression<double>(1, -3, 2))
+                    .equal(0, 0, "the very same operations in double: not one rounding differs")
+                    .by(Oracle::independent));
   return out;
 }
 
@@ -100,11 +89,12 @@ OperationCount cost(const Vec3<double>& x_b) {
 }
 
 Finding less(const std::string& name, long value, long than) {
-  Finding f = count_finding(name, "counting", value, "flops");
-  f.high = double(than - 1);
-  f.oracle = Oracle::independent;
-  f.reason = "a whole number below that of the dearer computation";
-  return judged(f);
+  return finding("counting/" + name)
+      .about("counting")
+      .measured(double(value))
+      .in("flops")
+      .at_most(double(than - 1), "a whole number below that of the dearer computation")
+      .by(Oracle::independent);
 }
 
 /// What a joint does not need, it does not compute. Positions that are NaN show every operation that
@@ -118,8 +108,7 @@ std::vector<Finding> needs() {
   const auto full = cost<F, Kind::linear_angular, false>(x);
   std::vector<Finding> out;
   const auto count = [&](const char* what, long value, long expected) {
-    out.push_back(equal(count_finding(name + '/' + what, "counting", value, "operations"), expected,
-                        Oracle::independent));
+    out.push_back(equal(name + '/' + what, value, expected, Oracle::independent));
   };
   count("angular/reads_no_position", poisoned.undefined, 0);
   count("angular/independent_of_x", poisoned.flops(), angular.flops());
@@ -140,9 +129,8 @@ std::vector<Finding> between_formulations() {
   const auto invariant = cost<Invariant, Kind::linear_angular, false>(x);
   const auto linear = cost<AttachedA, Kind::linear, false>(x);
   return {less("attached_a_angular_below_invariant_linear_angular", attached.flops(), invariant.flops()),
-          equal(count_finding("attached_a/linear/rotates_nothing", "counting",
-                              linear.functions + linear.roots + linear.comparisons, "operations"),
-                0, Oracle::independent)};
+          equal("attached_a/linear/rotates_nothing", linear.functions + linear.roots + linear.comparisons, 0,
+                Oracle::independent)};
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void add_function(Checks& checks, const char* name, const char* measure) {
 template <class Form>
 Measurement fingerprint_defect(double xi) {
   const Fingerprint f = fingerprint(twin<Form>(), xi);
-  return {std::max({std::abs(f.alpha - xi), std::abs(f.beta), f.linear_defect}),
+  return {larger(larger(std::abs(f.alpha - xi), std::abs(f.beta)), f.linear_defect),
           fmt::format("alpha = {:.6g}, beta = {:.6g}, linear part off by {:.3g}", f.alpha, f.beta,
                       f.linear_defect)};
 }

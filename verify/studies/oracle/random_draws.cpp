@@ -48,17 +48,13 @@ double of_texts() {
 }
 
 Finding drawn(const char* what, double value, double expected) {
-  Finding f;
-  f.name = std::string("random_draws/") + what;
-  f.subject = "random_draws";
-  f.value = value;
-  f.unit = "weighted sum";
-  f.comparison = Comparison::equal;
-  f.expected = expected;
-  f.high = 1e-10 * std::abs(expected);
-  f.oracle = reference::Oracle::independent;
-  f.reason = "as g++ 12 draws them; fused arithmetic moves the last bits, another order of draws all of them";
-  return judged(f);
+  return finding(std::string("random_draws/") + what)
+      .about("random_draws")
+      .measured(value)
+      .in("weighted sum")
+      .equal(expected, 1e-10 * std::abs(expected),
+             "as g++ 12 draws them; fused arithmetic moves the last bits, another order of draws all of them")
+      .by(Oracle::kept);
 }
 
 std::vector<Finding> draws() {

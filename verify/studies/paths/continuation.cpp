@@ -51,24 +51,22 @@ const OneAxisLaw kLaws[] = {
 
 Finding named(const OneAxisLaw& law, const std::string& what, double value, double limit,
               const std::string& why) {
-  Finding f;
-  f.name = std::string("continuation/one_axis/") + law.formulation + "/" + what;
-  f.formulation = law.formulation;
-  f.kind = to_string(Kind::angular);
-  f.subject = "continuation";
-  f.value = value;
-  f.high = limit;
-  f.oracle = Oracle::closed_form;
-  f.reason = std::string(law.says) + "; " + why;
-  return judged(f);
+  return finding(std::string("continuation/one_axis/") + law.formulation + "/" + what)
+      .of(law.formulation, to_string(Kind::angular))
+      .about("continuation")
+      .measured(value)
+      .at_most(limit, std::string(law.says) + "; " + why)
+      .by(Oracle::closed_form);
 }
 
 std::vector<Finding> closed_form(const OneAxisLaw& law) {
   const reference::Scene scene = one_axis();
   const Continuation continuation(scene, *reference::find_formulation(law.formulation), 0.5, far_away());
   const EquilibriumPath path = continuation.from_rest();
-  double worst = 0, fold = std::nan(""), fold_moment = std::nan("");
-  for (const auto& p : path.points) keep_largest(worst, std::abs(p.state.factor - law.moment(p.phi)));
+  double fold = std::nan(""), fold_moment = std::nan("");
+  Measurement worst;
+  for (const auto& p : path.points)
+    worst.include(std::abs(p.state.factor - law.moment(p.phi)), fmt::format("phi = {:.4g} rad", p.phi));
   for (const auto& s : path.singular) {
     if (s.type != Singularity::fold) continue;
     fold = s.phi;
@@ -78,48 +76,45 @@ std::vector<Finding> closed_form(const OneAxisLaw& law) {
   const std::string rounding = "located at 50 digits, handed over in double: 2 eps";
   return {named(law, "fold_angle", std::abs(fold - law.fold), 5e-16, rounding),
           named(law, "fold_moment", std::abs(fold_moment - law.moment(law.fold)), 5e-16, rounding),
-          named(law, "moment", worst, 4e-15,
+          named(law, "moment", worst.value(), 4e-15,
                 "N m, all points before and beyond the fold; a few eps of phi up to pi"),
           named(law, "unloaded", std::abs(end - law.unloaded), 2e-4,
                 "at pi itself rotation vectors jump, and a path ends within 1e-4 of it")};
 }
 
 /// The largest moment about one axis that each formulation carries below pi.
-Finding capacity(const Entry& entry, Finding f) {
+Finding capacity(const Entry& entry, Draft f) {
   const reference::Scene scene = one_axis();
   const Continuation continuation(scene, entry, entry.probe_xi, far_away());
   const EquilibriumPath path = continuation.from_rest();
-  f.unit = "N m";
-  f.comparison = Comparison::report;
-  f.oracle = Oracle::none;
-  f.reason = "k = 1 N m/rad; loaded up to 4 N m";
-  f.parameter = path.outcome;
-  for (const auto& p : path.points) keep_largest(f.value, p.state.factor);
+  std::string where = path.outcome;
+  Extent moment;
+  for (const auto& p : path.points) moment.include(p.state.factor);
   for (const auto& s : path.singular) {
     if (s.type != Singularity::fold) continue;
-    keep_largest(f.value, s.state.factor);
-    f.parameter = fmt::format("fold at phi = {:.6g} rad; ", s.phi) + f.parameter;
+    moment.include(s.state.factor);
+    where = fmt::format("fold at phi = {:.6g} rad; ", s.phi) + where;
   }
-  return judged(f);
+  return f.measured(moment.high(), where).in("N m").reported("k = 1 N m/rad; loaded up to 4 N m");
 }
 
 /// A joint without stiffness about one axis: no path, and no number that is none.
 std::vector<Finding> singular_start() {
   reference::Scene scene = one_axis();
   scene.joint.law = reference::LinearSpec{Eigen::Vector3d(0, 1, 2).asDiagonal(), false};
-  Finding f;
-  f.name = "continuation/singular_start";
-  f.subject = "continuation";
-  f.unit = "formulations";
-  f.oracle = Oracle::closed_form;
-  f.high = 0;
-  f.reason = "no stiffness about the loaded axis: each must end where it starts and say why";
+  int wrong = 0;
+  std::string outcome;
   for (const Entry& entry : reference::formulations()) {
     const EquilibriumPath path = Continuation(scene, entry, entry.probe_xi, far_away()).from_rest();
-    f.parameter = path.outcome;
-    f.value += path.end != PathEnd::singular_start || path.points.size() != 1;
+    outcome = path.outcome;
+    wrong += path.end != PathEnd::singular_start || path.points.size() != 1;
   }
-  return {judged(f)};
+  return {finding("continuation/singular_start")
+              .about("continuation")
+              .measured(wrong, outcome)
+              .in("formulations")
+              .at_most(0, "no stiffness about the loaded axis: each must end where it starts and say why")
+              .by(Oracle::closed_form)};
 }
 
 }  // namespace
@@ -131,8 +126,10 @@ void continuation(Checks& checks) {
   }
   checks.push_back({"continuation/singular_start", "stability", singular_start});
   for (const Entry& entry : reference::formulations()) {
-    const Finding f = property_finding(entry, Kind::angular, "one_axis_capacity");
-    checks.push_back({f.name, "stability", [&entry, f] { return std::vector{capacity(entry, f)}; }});
+    const char* what = "one_axis_capacity";
+    checks.push_back({property_name(entry, Kind::angular, what), "stability", [&entry, what] {
+                        return std::vector{capacity(entry, property_finding(entry, Kind::angular, what))};
+                      }});
   }
 }
 

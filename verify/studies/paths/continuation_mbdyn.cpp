@@ -29,24 +29,22 @@ std::vector<Finding> against_mbdyn(const MbdynOrder& order) {
   const Continuation continuation(scene(kScene), entry, entry.probe_xi, options, setting);
   const EquilibriumPath path = continuation.from_rest();
   const auto data = reference::read_data("mbdyn/parallelepiped_angular.json").at("fig4").at(order.key);
-  Finding f;
-  f.name = fmt::format("mbdyn/c3_arc_length/{}{}", order.formulation, order.exchanged ? "_exchanged" : "");
-  f.formulation = order.formulation;
-  f.subject = kScene;
-  f.unit = "rad";
-  f.oracle = Oracle::other_program;
-  f.high = 1e-11;
-  f.reason = "MBDyn stops at a residual of 1e-12 or so, which the nearly singular tangent amplifies";
+  Measurement worst;
   for (std::size_t i = 0; i < data.at("M").size(); ++i) {
     const auto theta = data.at("theta")[i].get<std::vector<double>>();
     const reference::ArcState<double> theirs{{{}, so3::exp<double>({theta[0], theta[1], theta[2]})},
                                              data.at("M")[i].get<double>()};
-    const double turn = distance_off_path(continuation, path, theirs);
-    if (!(turn <= f.value)) f.parameter = fmt::format("at {} N m", theirs.factor);
-    keep_largest(f.value, turn);
+    worst.include(distance_off_path(continuation, path, theirs), fmt::format("{} N m", theirs.factor));
   }
-  f.parameter += fmt::format(", of {} loads", data.at("M").size());
-  return {judged(f)};
+  return {
+      finding(fmt::format("mbdyn/c3_arc_length/{}{}", order.formulation, order.exchanged ? "_exchanged" : ""))
+          .of(order.formulation)
+          .about(kScene)
+          .measured(worst.value(), fmt::format("{}, of {} loads", worst.where(), data.at("M").size()))
+          .in("rad")
+          .at_most(1e-11,
+                   "MBDyn stops at a residual of 1e-12 or so, which the nearly singular tangent amplifies")
+          .by(Oracle::other_program)};
 }
 
 }  // namespace

@@ -36,36 +36,31 @@ ContinuationOptions whole_load() {
   return out;
 }
 
-Finding finding(const Entry& entry, const char* what, double limit, const char* reason) {
-  Finding f = property_finding(entry, Kind::angular, std::string("c3_") + what);
-  f.unit = "rad";
-  f.oracle = Oracle::independent;
-  f.high = limit;
-  f.reason = reason;
-  return f;
+Draft c3_finding(const Entry& entry, const char* what) {
+  return property_finding(entry, Kind::angular, std::string("c3_") + what).in("rad").by(Oracle::independent);
 }
 
-/// Wherever load stepping gets, the path by arc length has been.
+/// Wherever load stepping gets, the path by arc length has been. NaN where it gets nowhere.
 double off_load_steps(const reference::Scene& s, const Entry& entry, const Continuation& continuation,
                       const EquilibriumPath& path, double& reached) {
-  double worst = 0;
+  Measurement worst;
   reference::Path<double> steps(s, entry, entry.probe_xi);
   for (int i = 1; i <= s.points; ++i) {
     const auto& state = steps.advance(s.factor_end * i / s.points);
     reached = state.factor;
     if (state.status != Status::converged) break;
-    keep_largest(worst, distance_off_path(continuation, path, {state.b, state.factor}));
+    worst.include(distance_off_path(continuation, path, {state.b, state.factor}), {});
   }
-  return worst;
+  return worst.value();
 }
 
 Finding against_load_steps(const Entry& entry, const Continuation& continuation,
                            const EquilibriumPath& path) {
-  Finding f = finding(entry, "arc_length", limit_of(path), kWhy);
   double reached = 0;
-  f.value = off_load_steps(scene(kScene), entry, continuation, path, reached);
-  f.parameter = fmt::format("load steps to {:.6g} N m; by arc length: {}", reached, path.outcome);
-  return judged(f);
+  const double off = off_load_steps(scene(kScene), entry, continuation, path, reached);
+  return c3_finding(entry, "arc_length")
+      .measured(off, fmt::format("load steps to {:.6g} N m; by arc length: {}", reached, path.outcome))
+      .at_most(limit_of(path), kWhy);
 }
 
 /// Six unknowns and a force thirty times that of the scene, so that the joint turns far.
@@ -76,25 +71,25 @@ std::vector<Finding> with_forces(const Entry& entry) {
   options.end_factor = s.factor_end;
   const Continuation continuation(s, entry, entry.probe_xi, options);
   const EquilibriumPath path = continuation.from_rest();
-  Finding f = property_finding(entry, s.joint.kind, "c6_arc_length");
-  f.unit = "rad";
-  f.high = 1e-14;
-  f.reason = "both to rounding on a regular path; displacements over the length that makes stiffnesses equal";
   double reached = 0;
-  f.value = off_load_steps(s, entry, continuation, path, reached);
-  f.parameter = fmt::format("load steps to {:.6g} N; by arc length: {}", reached, path.outcome);
-  return {judged(f)};
+  const double off = off_load_steps(s, entry, continuation, path, reached);
+  return {property_finding(entry, s.joint.kind, "c6_arc_length")
+              .measured(off, fmt::format("load steps to {:.6g} N; by arc length: {}", reached, path.outcome))
+              .in("rad")
+              .at_most(1e-14,
+                       "both to rounding on a regular path; displacements over the length that makes "
+                       "stiffnesses equal")
+              .by(Oracle::independent)};
 }
 
 Finding there_and_back(const Entry& entry, const Continuation& continuation, const EquilibriumPath& path) {
-  Finding f = finding(entry, "reversal", 1e-13,
-                      "back at the load factor 0 to the pose at rest, which is a regular point: rounding");
   const auto& last = path.points.back();
   const EquilibriumPath back = continuation.from(last.state, -last.tangent);
-  f.oracle = Oracle::closed_form;
-  f.value = back.end == reference::PathEnd::unloaded ? back.points.back().phi : std::nan("");
-  f.parameter = fmt::format("from {:.6g} N m, phi = {:.4f} rad", last.state.factor, last.phi);
-  return judged(f);
+  return c3_finding(entry, "reversal")
+      .measured(back.end == reference::PathEnd::unloaded ? back.points.back().phi : std::nan(""),
+                fmt::format("from {:.6g} N m, phi = {:.4f} rad", last.state.factor, last.phi))
+      .at_most(1e-13, "back at the load factor 0 to the pose at rest, which is a regular point: rounding")
+      .by(Oracle::closed_form);
 }
 
 /// NaN when the rough path ends otherwise than the fine one.
@@ -103,13 +98,13 @@ double off_fine_path(const Continuation& continuation, const EquilibriumPath& fi
   constexpr double kSameEnd = 1e-4;  // rad: a path that ends at pi or at a pole does so within this
   if (rough.end != fine.end || std::abs(rough.points.back().phi - fine.points.back().phi) > kSameEnd)
     return std::nan("");
-  double worst = 0;
+  Measurement worst;
   for (const auto& p : rough.points) {
     const double distance = distance_off_path(continuation, fine, p.state);
-    if (distance == distance)
-      keep_largest(worst, distance);  // beyond the other's last point there is nothing
+    const bool is_beyond = !(distance == distance) && p.state.b.R.allFinite();  // the other's last point
+    if (!is_beyond) worst.include(distance, {});
   }
-  return worst;
+  return worst.value();
 }
 
 /// Steps that may bend and correct as they like: only the signs are left to tell a jump.
@@ -122,18 +117,20 @@ ContinuationOptions by_signs_alone(ContinuationOptions options) {
 /// First steps as long as those of load stepping where it jumps: no jump, whatever the first guess.
 Finding coarse(const Entry& entry, const Continuation& continuation, const EquilibriumPath& path,
                bool all_guards) {
-  Finding f = finding(entry, all_guards ? "coarse_steps" : "coarse_steps_by_signs", limit_of(path), kWhy);
+  Measurement worst;
+  std::string where;
   for (int steps : {4, 6, 10, 15, 18}) {
     ContinuationOptions options = whole_load();
     options.first_step = options.largest_step = path.points.back().arc / steps;
     if (!all_guards) options = by_signs_alone(options);
     const EquilibriumPath rough = Continuation(scene(kScene), entry, entry.probe_xi, options).from_rest();
-    keep_largest(f.value, off_fine_path(continuation, path, rough));
-    f.parameter += fmt::format("{} steps asked for, {} taken, {} shortened; ", steps, rough.points.size() - 1,
-                               rough.rejected);
+    worst.include(off_fine_path(continuation, path, rough), {});
+    where += fmt::format("{} steps asked for, {} taken, {} shortened; ", steps, rough.points.size() - 1,
+                         rough.rejected);
   }
-  f.parameter += path.outcome;
-  return judged(f);
+  return c3_finding(entry, all_guards ? "coarse_steps" : "coarse_steps_by_signs")
+      .measured(worst.value(), where + path.outcome)
+      .at_most(limit_of(path), kWhy);
 }
 
 std::vector<Finding> skewed(const Entry& entry) {
@@ -151,15 +148,14 @@ std::vector<Finding> eighteen_steps() {
     const EquilibriumPath path = continuation.from_rest();
     const auto add = [&](const char* solver, const reference::LoadSteps& steps) {
       const reference::OffPath off = off_path(continuation, path, steps);
-      Finding f = finding(entry, solver, 0, "states of 18 load steps that lie elsewhere than on the path");
-      f.unit = "states";
-      f.comparison = Comparison::report;
-      f.oracle = Oracle::none;
-      f.value = off.count;
-      f.parameter = fmt::format("{} {:.6g} N m", steps.converged ? "converged to" : "gave up after",
-                                steps.states.back().factor);
-      if (off.count > 0) f.parameter += fmt::format("; the first at {:.6g} N m", off.first_factor);
-      out.push_back(judged(f));
+      const std::string end_at = fmt::format(
+          "{} {:.6g} N m", steps.converged ? "converged to" : "gave up after", steps.states.back().factor);
+      const std::string first =
+          off.count > 0 ? fmt::format("; the first at {:.6g} N m", off.first_factor) : "";
+      out.push_back(c3_finding(entry, solver)
+                        .measured(off.count, end_at + first)
+                        .in("states")
+                        .reported("states of 18 load steps that lie elsewhere than on the path"));
     };
     const double end = scene(kScene).factor_end;
     add("load_steps_newton", newton_load_steps(continuation.problem(), end, kLoadSteps));
@@ -172,12 +168,12 @@ std::vector<Finding> eighteen_steps() {
 
 void continuation_paths(Checks& checks) {
   for (const Entry& entry : reference::formulations()) {
-    checks.push_back({property_finding(entry, Kind::angular, "c3_path").name, "stability",
-                      [&entry] { return skewed(entry); }});
+    checks.push_back(
+        {property_name(entry, Kind::angular, "c3_path"), "stability", [&entry] { return skewed(entry); }});
   }
   for (const Entry& entry : reference::formulations()) {
     if (!accepts_law(entry, scene(kForceScene).joint)) continue;
-    checks.push_back({property_finding(entry, scene(kForceScene).joint.kind, "c6_path").name, "stability",
+    checks.push_back({property_name(entry, scene(kForceScene).joint.kind, "c6_path"), "stability",
                       [&entry] { return with_forces(entry); }});
   }
   checks.push_back({"continuation/eighteen_steps", "stability", eighteen_steps});

@@ -73,8 +73,8 @@ struct Identity {
 template <class T>
 double eq_6(const At<T>& s) {
   const T phi = s.theta.norm();
-  return std::max(size<T>((s.R * s.theta - s.theta) / phi),
-                  size<T>((s.R.transpose() * s.theta - s.theta) / phi));
+  return larger(size<T>((s.R * s.theta - s.theta) / phi),
+                size<T>((s.R.transpose() * s.theta - s.theta) / phi));
 }
 template <class T>
 double eq_44(const At<T>& s) {
@@ -98,13 +98,13 @@ double eq_66(const At<T>& s) {
 template <class T>
 double eq_70(const At<T>& s) {
   const Mat3<T> z = skew<T>(s.zeta());
-  return std::max(size<T>(s.tilde - (s.one + z) * (s.one - z).inverse()),
-                  size<T>(s.tilde - (s.one - z).inverse() * (s.one + z)));
+  return larger(size<T>(s.tilde - (s.one + z) * (s.one - z).inverse()),
+                size<T>(s.tilde - (s.one - z).inverse() * (s.one + z)));
 }
 template <class T>
 double eq_72(const At<T>& s) {
-  return std::max(size<T>(so3::cayley<T>(s.zeta()) - s.tilde),
-                  size<T>(so3::cayley_inverse<T>(s.tilde) - s.zeta()));
+  return larger(size<T>(so3::cayley<T>(s.zeta()) - s.tilde),
+                size<T>(so3::cayley_inverse<T>(s.tilde) - s.zeta()));
 }
 template <class T>
 double eq_53(const At<T>& s) {
@@ -112,7 +112,7 @@ double eq_53(const At<T>& s) {
   const reference::closed::Geometry<T> g{s.P_a, s.P_b, s.arm_a, s.arm_b, s.d, s.theta};
   const Vec3<T> psi = reference::closed::Jointc::strain(g);
   const T phi = s.theta.norm();
-  return std::max(size<T>(psi - axial(s.R)), size<T>(psi - sin(phi) / phi * s.theta));
+  return larger(size<T>(psi - axial(s.R)), size<T>(psi - sin(phi) / phi * s.theta));
 }
 template <class T>
 double eq_55(const At<T>& s) {
@@ -162,7 +162,7 @@ const Identity kIdentities[] = {
 #undef HALFWAY_IDENTITY
 
 Measurement worst_sample(double (*residual)(const Sample&), double unit) {
-  Measurement out{-1, "no sample"};
+  Measurement out;
   for (const Sample& s : samples()) {
     out.include(residual(s) / unit,
                 fmt::format("phi = {:.9g} rad, n = ({:.3g}, {:.3g}, {:.3g}), xi = {}", s.theta.norm(),

@@ -68,7 +68,7 @@ Followed follow(const Winding<T>& path) {
       if (path.turns_axis) out.axis_error.include(std::abs(error / (phi * turned) - 1), at);
       if (!path.turns_axis) out.error.include(error / (epsilon<T>() * phi), at);
     } else if (status == Unwrapping::continued) {
-      const double across = std::max(1., phi / std::abs(2 * std::sin(phi / 2)));
+      const double across = larger(1., phi / std::abs(2 * std::sin(phi / 2)));
       out.error.include(error / (epsilon<T>() * (phi + across)), at);
     } else {
       ++out.refused;
@@ -79,10 +79,12 @@ Followed follow(const Winding<T>& path) {
 
 Finding expected(const std::string& name, double value, double expectation, double limit, const char* unit,
                  const std::string& reason) {
-  Finding f = at_most(name, kSubject, {value}, limit, unit, Oracle::closed_form, reason);
-  f.comparison = Comparison::equal;
-  f.expected = expectation;
-  return reference::judged(f);
+  return finding(name)
+      .about(kSubject)
+      .measured(value)
+      .in(unit)
+      .equal(expectation, limit, reason)
+      .by(Oracle::closed_form);
 }
 
 template <class T>

@@ -26,21 +26,18 @@ std::string path_name(const SceneReference& r) {
 }
 
 /// The expected value and the limit, from the reference's text.
-Finding expectation(const Scene& scene, const SceneReference& r, const std::string& variant) {
-  Finding f;
-  f.name = fmt::format("{}/{}/{}", scene.name, path_name(r), r.output);
-  if (r.factor > 0) f.name += fmt::format("@{:g}", r.factor);
-  f.name += variant;
-  f.formulation = r.formulation;
-  f.subject = scene.name;
-  f.unit = r.output.starts_with("u_") ? "m" : r.output == "critical_moment" ? "N m" : "rad";
-  f.comparison = Comparison::equal;
-  f.oracle = r.oracle;
-  f.reason = r.reason + "; " + r.source;
-  f.expected = r.none ? 0 : double(Real50(r.value.c_str()));
-  f.high = r.absolute ? r.tolerance : r.tolerance * std::abs(f.expected);
-  f.uncertainty = f.high;
-  return f;
+Draft expectation(const Scene& scene, const SceneReference& r, const std::string& variant) {
+  const std::string at = r.factor > 0 ? fmt::format("@{:g}", r.factor) : "";
+  const double expected = r.none ? 0 : double(Real50(r.value.c_str()));
+  const double limit = r.absolute ? r.tolerance : r.tolerance * std::abs(expected);
+  return finding(fmt::format("{}/{}/{}{}{}", scene.name, path_name(r), r.output, at, variant))
+      .of(r.formulation)
+      .about(scene.name)
+      .in(r.output.starts_with("u_")      ? "m"
+          : r.output == "critical_moment" ? "N m"
+                                          : "rad")
+      .equal(expected, limit, r.reason + "; " + r.source)
+      .by(r.oracle, limit);
 }
 
 /// A whole path serves all references of one formulation: load factors in rising order.
@@ -54,10 +51,11 @@ std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneRefer
   for (const auto& [factor, wanted] : by_factor) {
     path.advance(factor);
     for (const SceneReference* r : wanted) {
-      Finding f = expectation(scene, *r, variant);
-      f.value = path.state().status == Status::converged ? double(path.output(r->output)) : std::nan("");
-      f.parameter = fmt::format("{} Newton iterations", path.state().iterations);
-      findings.push_back(judged(f));
+      findings.push_back(expectation(scene, *r, variant)
+                             .measured(path.state().status == Status::converged
+                                           ? double(path.output(r->output))
+                                           : std::nan(""),
+                                       fmt::format("{} Newton iterations", path.state().iterations)));
     }
   }
   return findings;
@@ -68,13 +66,10 @@ std::vector<Finding> critical(const Scene& scene, const std::vector<SceneReferen
   std::vector<Finding> findings;
   const auto found = reference::first_buckling(entry, scene.joint, scene.critical_axis - 1);
   for (const SceneReference& r : references) {
-    Finding f = expectation(scene, r, "");
-    f.value = !found ? 0 : double(r.output == "critical_moment" ? found->moment : found->angle);
-    if (r.none) {
-      f.high = 0;
-      f.reason = "0 stands for none below pi; " + r.source;
-    }
-    findings.push_back(judged(f));
+    Draft f = expectation(scene, r, "");
+    f.measured(!found ? 0 : double(r.output == "critical_moment" ? found->moment : found->angle));
+    if (r.none) f.equal(0, 0, "0 stands for none below pi; " + r.source);
+    findings.push_back(f);
   }
   return findings;
 }

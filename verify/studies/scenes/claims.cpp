@@ -14,16 +14,11 @@ using reference::Real50;
 
 Finding claim(const std::string& name, double value, double expected, double tolerance,
               const std::string& reason) {
-  Finding f;
-  f.name = "claims/" + name;
-  f.subject = "claims";
-  f.value = value;
-  f.expected = expected;
-  f.comparison = Comparison::equal;
-  f.high = tolerance;
-  f.oracle = Oracle::closed_form;
-  f.reason = reason;
-  return judged(f);
+  return finding("claims/" + name)
+      .about("claims")
+      .measured(value)
+      .equal(expected, tolerance, reason)
+      .by(Oracle::closed_form);
 }
 
 double rotation(const std::string& scene_name, const char* formulation, int axis, double factor = 1,

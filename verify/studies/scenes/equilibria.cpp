@@ -23,17 +23,12 @@ Scene posed(Kind kind, const Eigen::VectorXd& stiffness, const SceneLoad& load) 
 Finding against(const std::string& name, const Scene& s, const char* formulation, const char* output,
                 double expected, const std::string& reason) {
   reference::Path<double> path(s, *reference::find_formulation(formulation), 0.5);
-  Finding f;
-  f.name = "equilibria/" + name + "/" + output;
-  f.formulation = formulation;
-  f.subject = "equilibria";
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.expected = expected;
-  f.high = 1e-14 * std::max(1.0, std::abs(expected));
-  f.reason = reason + "; tens of eps of the solution";
-  f.value = path.advance(1).status == Status::converged ? path.output(output) : std::nan("");
-  return judged(f);
+  return finding("equilibria/" + name + "/" + output)
+      .of(formulation)
+      .about("equilibria")
+      .measured(path.advance(1).status == Status::converged ? path.output(output) : std::nan(""))
+      .equal(expected, 1e-14, reason + "; tens of eps of a solution of order 1")
+      .by(Oracle::closed_form);
 }
 
 /// Law and moment both fixed in node b: theta = K^-1 m, at any size.
@@ -72,19 +67,17 @@ std::vector<Finding> beyond_the_limit() {
   const Scene s = posed(Kind::angular, Eigen::Vector3d(1, 1, 1), {LoadType::fixed_moment, {1, 0, 0}});
   reference::Path<double> path(s, *reference::find_formulation("jointc"), 0.5);
   const auto& state = path.advance(1);
-  Finding f;
-  f.name = "equilibria/beyond_the_limit/factor";
-  f.formulation = "jointc";
-  f.subject = "equilibria";
-  f.value = state.status == Status::converged ? std::nan("") : state.factor;
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.expected = 0.5;
-  f.high = 1e-6;
-  f.reason =
-      "m = k sin(phi) cos(phi) has its largest value k/2 at phi = pi/4; the last load step is 1e-9, "
-      "and near a limit point the reached load falls short of it by the square of the last rotation step";
-  return {judged(f)};
+  return {
+      finding("equilibria/beyond_the_limit/factor")
+          .of("jointc")
+          .about("equilibria")
+          .measured(state.status == Status::converged ? std::nan("") : state.factor)
+          .equal(
+              0.5, 1e-6,
+              "m = k sin(phi) cos(phi) has its largest value k/2 at phi = pi/4; the last load step is 1e-9, "
+              "and near a limit point the reached load falls short of it by the square of the last rotation "
+              "step")
+          .by(Oracle::closed_form)};
 }
 
 }  // namespace

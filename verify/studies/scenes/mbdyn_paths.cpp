@@ -2,6 +2,7 @@
 #include "reference/truth/data.hpp"
 #include "verify/oracle/mbdyn_orders.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -17,25 +18,24 @@ Finding along(const std::string& scene_name, const MbdynOrder& order, const nloh
   setting.nodes_exchanged = order.exchanged;
   reference::Path<double> path(scene(scene_name), *reference::find_formulation(order.formulation), 0.5,
                                setting);
-  Finding f;
-  f.name = fmt::format("mbdyn/{}/{}", scene_name, order.key);
-  f.formulation = order.formulation;
-  f.subject = scene_name;
-  f.unit = "rad";
-  f.oracle = Oracle::other_program;
-  f.high = limit;
-  f.reason = reason;
+  Measurement worst;
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    if (path.advance(loads[i]).status != Status::converged) f.value = std::nan("");
+    const std::string at = fmt::format("load {}", loads[i].get<double>());
+    if (path.advance(loads[i]).status != Status::converged)
+      worst.include(std::nan(""), at + ": no equilibrium");
     int axis = 0;
     for (const char* name : {"theta_x", "theta_y", "theta_z"}) {
-      const double difference = std::abs(path.output(name) - thetas[i][axis++].get<double>());
-      if (difference <= f.value) continue;
-      f.value = difference;
-      f.parameter = fmt::format("{} at load {}", name, loads[i].get<double>());
+      worst.include(std::abs(path.output(name) - thetas[i][axis++].get<double>()),
+                    fmt::format("{} at {}", name, at));
     }
   }
-  return judged(f);
+  return finding(fmt::format("mbdyn/{}/{}", scene_name, order.key))
+      .of(order.formulation)
+      .about(scene_name)
+      .measured(worst)
+      .in("rad")
+      .at_most(limit, reason)
+      .by(Oracle::other_program);
 }
 
 }  // namespace

@@ -183,17 +183,16 @@ std::string refusal(const std::filesystem::path& file) {
 
 Finding refused(const std::string& what, const std::filesystem::path& file, const std::string& place) {
   const std::string message = refusal(file);
-  Finding f;
-  f.name = "scenes/refuses/" + what;
-  f.subject = "scenes";
-  f.parameter = message.empty() ? "it was accepted" : message;
-  f.value = !message.starts_with(file.filename().string() + ":" + place);
-  f.value += message.find("; allowed: ") == std::string::npos;
-  f.unit = "missing parts";
-  f.oracle = Oracle::closed_form;
-  f.reason =
-      fmt::format("the message must begin with the file's name and \"{}\", and say what is allowed", place);
-  return judged(f);
+  const int missing = !message.starts_with(file.filename().string() + ":" + place) +
+                      (message.find("; allowed: ") == std::string::npos);
+  return finding("scenes/refuses/" + what)
+      .about("scenes")
+      .measured(missing, message.empty() ? "it was accepted" : message)
+      .in("missing parts")
+      .at_most(0,
+               fmt::format("the message must begin with the file's name and \"{}\", and say what is allowed",
+                           place))
+      .by(Oracle::closed_form);
 }
 
 std::vector<Finding> check_broken(const Broken& broken) {
@@ -225,13 +224,11 @@ std::vector<Finding> check_unreadable() {
 std::vector<Finding> check_good() {
   const TemporaryScene scene("good", kGood);
   const std::string message = refusal(scene.path());
-  Finding f;
-  f.name = "scenes/accepts/good";
-  f.parameter = message;
-  f.value = !message.empty();
-  f.subject = "scenes";
-  f.reason = "the text that the other checks break in one place";
-  return {judged(f)};
+  return {finding("scenes/accepts/good")
+              .about("scenes")
+              .measured(!message.empty(), message)
+              .at_most(0, "the text that the other checks break in one place")
+              .by(Oracle::closed_form)};
 }
 
 }  // namespace

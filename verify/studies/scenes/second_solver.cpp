@@ -21,7 +21,7 @@ Eigen::VectorXd residual(const Entry& entry, const JointSpec& spec, const refere
   return r / load.value.norm();
 }
 
-Finding compare(const Entry& entry, const std::string& scene_name, Finding f) {
+Finding compare(const Entry& entry, const std::string& scene_name, Draft f) {
   const reference::Scene& s = scene(scene_name);
   JointSpec spec = s.joint;
   spec.xi = entry.probe_xi;
@@ -33,22 +33,21 @@ Finding compare(const Entry& entry, const std::string& scene_name, Finding f) {
   ours.tail<3>() << path.output("theta_x"), path.output("theta_y"), path.output("theta_z");
   if (spec.kind != Kind::angular)
     ours.head<3>() << path.output("u_x"), path.output("u_y"), path.output("u_z");
-  f.unit = "relative";
-  f.value = (gsl.x - ours).norm() / ours.norm();
-  f.high = 1e-10;
-  f.reason = "GSL stops at a residual of 1e-13 of the load; the stiffness spans three decades";
-  f.parameter = scene_name + (gsl.converged ? "" : ": GSL did not converge: " + gsl.message);
-  if (!gsl.converged) f.value = std::nan("");
-  return f;
+  return f
+      .measured(gsl.converged ? (gsl.x - ours).norm() / ours.norm() : std::nan(""),
+                scene_name + (gsl.converged ? "" : ": GSL did not converge: " + gsl.message))
+      .in("relative")
+      .at_most(1e-10, "GSL stops at a residual of 1e-13 of the load; the stiffness spans three decades")
+      .by(Oracle::independent);
 }
 
 }  // namespace
 
 void second_solver(Checks& checks) {
   add_property(checks, "second_solver", {Kind::angular},
-               [](const Entry& e, Kind, Finding f) { return compare(e, "c1_skewed_torque", f); });
+               [](const Entry& e, Kind, Draft f) { return compare(e, "c1_skewed_torque", f); });
   add_property(checks, "second_solver", {Kind::linear_angular},
-               [](const Entry& e, Kind, Finding f) { return compare(e, "c6_compression_shear", f); });
+               [](const Entry& e, Kind, Draft f) { return compare(e, "c6_compression_shear", f); });
 }
 
 }  // namespace halfway::verify

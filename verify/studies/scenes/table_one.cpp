@@ -15,26 +15,42 @@ double half_unit(const std::string& printed) {
   return 0.5 * std::pow(10.0, -double(printed.size() - point - 1));
 }
 
+constexpr const char* kRows[] = {"theta_x", "theta_y", "theta_z"};
+
+/// MSC/ADAMS: "computed from the Euler parameters output with 6-digit accuracy" (footnote 5).
+bool is_adams(const std::string& column) { return column.ends_with("_adams"); }
+
+double tolerance(const std::string& column, const std::string& printed) {
+  return printed == "0." ? 1e-17 : (is_adams(column) ? 2 : 1) * half_unit(printed);
+}
+
+Draft named(const std::string& column, const std::string& formulation, int row, const std::string& printed,
+            const char* suffix = "") {
+  return finding(fmt::format("table_1/{}/{}{}", column, kRows[row], suffix))
+      .of(formulation)
+      .about("table_1")
+      .by(Oracle::printed, half_unit(printed));
+}
+
 Finding digit(const std::string& column, const std::string& formulation, int row, const std::string& printed,
               double ours) {
-  const char* rows[] = {"theta_x", "theta_y", "theta_z"};
-  Finding f;
-  f.name = fmt::format("table_1/{}/{}", column, rows[row]);
-  f.formulation = formulation;
-  f.subject = "table_1";
-  f.unit = "rad";
-  f.value = row == 0 ? -ours : ours;
-  f.expected = std::stod(printed);
-  // MSC/ADAMS: "computed from the Euler parameters output with 6-digit accuracy" (footnote 5).
-  const bool adams = column.ends_with("_adams");
-  f.high = printed == "0." ? 1e-17 : (adams ? 2 : 1) * half_unit(printed);
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::printed;
-  f.uncertainty = half_unit(printed);
-  f.reason =
-      adams ? "one unit of the last printed digit: the print goes back to six-digit Euler parameters"
-            : "half a unit of the last printed digit; theta_x is printed with the sign of the literal [36]";
-  return f;
+  return named(column, formulation, row, printed)
+      .measured(ours)
+      .in("rad")
+      .equal(std::stod(printed), tolerance(column, printed),
+             is_adams(column)
+                 ? "one unit of the last printed digit: the print goes back to six-digit Euler parameters"
+                 : "half a unit of the last printed digit; theta_x is printed with the sign of the literal "
+                   "[36]");
+}
+
+/// The printed digits must stay visibly wrong.
+Finding misprint(const std::string& column, const std::string& formulation, int row,
+                 const std::string& printed, double ours) {
+  return named(column, formulation, row, printed, "/misprint")
+      .measured(std::abs(ours - std::stod(printed)) / tolerance(column, printed))
+      .in("half units of the last printed digit")
+      .within(10, 1e6, "erratum of the paper: a zero is missing");
 }
 
 /// The printed text, or the right one where the errata correct it.
@@ -57,17 +73,9 @@ std::vector<Finding> compare_column(const std::string& column) {
   for (int row = 0; row < 3; ++row) {
     const std::string printed = entry_json.at("printed").at(row);
     const std::string right = corrected(tables, column, row, printed);
-    findings.push_back(judged(digit(column, formulation, row, right, double(theta[row]))));
-    if (right == printed) continue;
-    Finding misprint = digit(column, formulation, row, printed, double(theta[row]));
-    misprint.name += "/misprint";
-    misprint.comparison = Comparison::within;  // the printed digits must stay visibly wrong
-    misprint.value = std::abs(misprint.value - misprint.expected) / misprint.high;
-    misprint.low = 10;
-    misprint.high = 1e6;
-    misprint.unit = "half units of the last printed digit";
-    misprint.reason = "erratum of the paper: a zero is missing";
-    findings.push_back(judged(misprint));
+    const double ours = double(row == 0 ? -theta[row] : theta[row]);
+    findings.push_back(digit(column, formulation, row, right, ours));
+    if (right != printed) findings.push_back(misprint(column, formulation, row, printed, ours));
   }
   return findings;
 }

@@ -3,6 +3,7 @@
 #include "reference/truth/fe/second_order.hpp"
 #include "reference/truth/fe/studies/bearing_fit.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -53,14 +54,18 @@ std::vector<Finding> volumes() {
     };
     const std::string name = "bearing/volume/" + family.at("name").get<std::string>();
     const double coarse = error(4), fine = error(8);  // all divisions double
-    Finding f = solid_finding(name, "relative",
-                              "quadratic elements on a sphere: order 4, 4e-3 on two elements a quarter");
-    f.parameter = fmt::format("order {:.1f}", std::log2(coarse / fine));
-    out.push_back(below(f, fine, 5e-4, Oracle::closed_form));
-    out.push_back(below(solid_finding(name + "/ratio", "",
-                                      "order 4 halves the mesh to a sixteenth; 1/6 leaves room for "
-                                      "meshes of two elements"),
-                        fine / coarse, 1.0 / 6, Oracle::closed_form));
+    out.push_back(
+        solid_finding(name)
+            .in("relative")
+            .measured(fine, fmt::format("order {:.1f}", std::log2(coarse / fine)))
+            .at_most(5e-4, "quadratic elements on a sphere: order 4, 4e-3 on two elements a quarter")
+            .by(Oracle::closed_form));
+    out.push_back(solid_finding(name + "/ratio")
+                      .measured(fine / coarse)
+                      .at_most(1.0 / 6,
+                               "order 4 halves the mesh to a sixteenth; 1/6 leaves room for "
+                               "meshes of two elements")
+                      .by(Oracle::closed_form));
   }
   return out;
 }
@@ -76,22 +81,25 @@ std::vector<Finding> fits() {
   const double expected[] = {printed("linear_compliance", 1), printed("linear_compliance", 0),
                              printed("angular_compliance", 0), printed("angular_compliance", 1)};
   for (std::size_t i = 0; i < 4; ++i) {
-    out.push_back(
-        near_to(solid_finding(std::string("bearing/data/") + std::to_string(i), "", "the same digits"),
-                fe::kTable4[i], expected[i], 0, Oracle::printed));
+    out.push_back(solid_finding(std::string("bearing/data/") + std::to_string(i))
+                      .measured(fe::kTable4[i])
+                      .equal(expected[i], 0, "the same digits")
+                      .by(Oracle::printed));
   }
   for (const auto& family : kept_bearing().at("families")) {
     const fe::Bearing bearing = geometry(family);
     const auto live = fe::bearing_data(bearing, fe::ElementKind::hex20, bearing_divisions(bearing, 4), 3);
-    double worst = 0;
+    Measurement worst;
     for (std::size_t i = 0; i < 5; ++i) {
       const double kept = fe::kTable4[i] * (1 + family.at("residuals").at(i).get<double>());
-      worst = std::max(worst, std::abs(live.data[i] / kept - 1));
+      worst.include(std::abs(live.data[i] / kept - 1), fmt::format("datum {}", i));
     }
-    out.push_back(below(
-        solid_finding("bearing/fit/" + family.at("name").get<std::string>(), "relative",
-                      "level 4 here, level 6 when fitted: data of level 4 are within 3e-3 of the finest"),
-        worst, 5e-3, Oracle::none));
+    out.push_back(
+        solid_finding("bearing/fit/" + family.at("name").get<std::string>())
+            .in("relative")
+            .measured(worst)
+            .at_most(5e-3, "level 4 here, level 6 when fitted: data of level 4 are within 3e-3 of the finest")
+            .by(Oracle::kept));
   }
   return out;
 }
@@ -107,45 +115,44 @@ std::vector<Finding> directions() {
   const fe::Solid solid(bearing_mesh(fe::ElementKind::hex20, bearing, divisions, 3), fe::kBearingMaterial,
                         {0, point - bearing.outer, 0});
   fe::Statics statics(solid);
-  double low = 1e300, high = -1e300;
+  Extent quotient;
   for (double degrees : {15.0, 40.0, 65.0, 130.0}) {
     const double a = degrees * std::numbers::pi / 180;
     const fe::Load load{kDirectionForce * Vec3<double>(std::cos(a), -std::sin(a), 0), Vec3<double>::Zero(),
                         false};
     const auto e = statics.solve(fe::Law::cauchy_log, load, solid.unloaded());
     if (!e.converged) throw std::runtime_error(e.reason);
-    const double quotient = e.theta()[2] / (load.f[0] * load.f[1]);
-    low = std::min(low, quotient);
-    high = std::max(high, quotient);
+    quotient.include(e.theta()[2] / (load.f[0] * load.f[1]));
   }
-  Finding f =
-      solid_finding("bearing/direction_of_force", "relative",
-                    "symmetry leaves only the product f1 f2 at second order; the spread is of the next "
-                    "order, in proportion "
-                    "to the load: the strain, 0.005 m over 5 m of rubber, times a coefficient of order 1");
-  return {below(f, (high - low) / std::abs(high + low) * 2, 0.01, Oracle::independent)};
+  const double low = quotient.low(), high = quotient.high();
+  return {solid_finding("bearing/direction_of_force")
+              .in("relative")
+              .measured((high - low) / std::abs(high + low) * 2)
+              .at_most(
+                  0.01,
+                  "symmetry leaves only the product f1 f2 at second order; the spread is of the next order, "
+                  "in proportion to the load: the strain, 0.005 m over 5 m of rubber, times a coefficient of "
+                  "order 1")
+              .by(Oracle::independent)};
 }
 
 /// The printed xi against the spread over the admissible geometries: it can be met, but is not determined.
 std::vector<Finding> spread() {
   std::vector<Finding> out;
   for (fe::Law law : fe::kLaws) {
-    double low = 1e300, high = -1e300;
+    Extent xi;
     for (const auto& scan : kept_bearing().at("scans")) {
       if (!scan.at("admissible").get<bool>()) continue;
-      const double xi = scan.at("xi").at(to_string(law));
-      low = std::min(low, xi);
-      high = std::max(high, xi);
+      xi.include(scan.at("xi").at(to_string(law)).get<double>());
     }
-    Finding f = solid_finding(
-        std::string("bearing/spread_of_xi/") + to_string(law), "",
-        "every geometry within 2 % of the printed compliances and joint point is as good as any");
-    f.value = high - low;
-    f.parameter =
-        fmt::format("xi from {:.3f} to {:.3f}; printed {}", low, high,
+    const std::string where =
+        fmt::format("xi from {:.3f} to {:.3f}; printed {}", xi.low(), xi.high(),
                     reference::read_data("paper/tables.json")["table_4"]["fitted_xi"].get<std::string>());
-    f.comparison = Comparison::report;
-    out.push_back(judged(f));
+    out.push_back(
+        solid_finding(std::string("bearing/spread_of_xi/") + to_string(law))
+            .measured(xi.high() - xi.low(), where)
+            .reported(
+                "every geometry within 2 % of the printed compliances and joint point is as good as any"));
   }
   return out;
 }

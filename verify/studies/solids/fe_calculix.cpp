@@ -1,6 +1,7 @@
 // CalculiX, another program, on the very same meshes: linear compliance, moments and forces at finite motion.
 #include "reference/truth/fe/studies/calculix.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -33,8 +34,11 @@ double off(const Vec3<double>& a, const Vec3<double>& b) { return (a - b).norm()
 void compare_pose(std::vector<Finding>& out, const std::string& name, const fe::CalculixPose& theirs,
                   const fe::Equilibrium& ours) {
   const auto add = [&](const char* what, double value, double limit, const char* reason) {
-    out.push_back(below(solid_finding("calculix/" + name + "/" + what, "relative", reason), value, limit,
-                        Oracle::other_program));
+    out.push_back(solid_finding("calculix/" + name + "/" + what)
+                      .in("relative")
+                      .measured(value)
+                      .at_most(limit, reason)
+                      .by(Oracle::other_program));
   };
   if (!ours.converged) throw std::runtime_error(name + ": " + ours.reason);
   add("d", off(theirs.d, ours.state.d), 1e-6, kDigits);
@@ -45,10 +49,8 @@ void compare_pose(std::vector<Finding>& out, const std::string& name, const fe::
 std::vector<Finding> of_case(const Case& c, ElementKind element) {
   const std::string name = fmt::format("{}/{}", c.name, to_string(element));
   if (!fe::calculix_available()) {
-    Finding f =
-        solid_finding("calculix/" + name, "", "the program ccx is not installed (package calculix-ccx)");
-    f.verdict = Verdict::left_out;
-    return {f};
+    return {solid_finding("calculix/" + name)
+                .left_out("the program ccx is not installed (package calculix-ccx)")};
   }
   const fe::Solid solid(tapered_block(element, c.size, c.divisions, 3), {1, 0.3}, c.reference);
   fe::Statics statics(solid);
@@ -56,10 +58,12 @@ std::vector<Finding> of_case(const Case& c, ElementKind element) {
   const fe::Mat6 theirs = calculix_linear(solid.mesh(), solid.material(), c.reference).compliance;
   const fe::Mat6 ours = statics.linear().compliance;
   const fe::Vec6 size = ours.diagonal().cwiseSqrt();
-  Finding f = solid_finding("calculix/" + name + "/compliance", "relative", kDigits);
-  f.parameter = "CalculiX " + fe::calculix_version();
-  out.push_back(below(f, (theirs - ours).cwiseAbs().cwiseQuotient(size * size.transpose()).maxCoeff(), 1e-6,
-                      Oracle::other_program));
+  out.push_back(solid_finding("calculix/" + name + "/compliance")
+                    .in("relative")
+                    .measured(largest_entry<double>((theirs - ours).cwiseQuotient(size * size.transpose())),
+                              "CalculiX " + fe::calculix_version())
+                    .at_most(1e-6, kDigits)
+                    .by(Oracle::other_program));
   const double a = std::atan(0.01);
   fe::Load moment, force;
   moment.m = c.factor * Vec3<double>(std::cos(a), 0, std::sin(a));

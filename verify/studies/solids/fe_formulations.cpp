@@ -45,24 +45,20 @@ double error_of(const Entry& entry, const fe::SecondOrder& truth, CouplingGroup 
 /// What the solver's rounding leaves of a coupling, relative.
 constexpr double kSolverRounding = 1e-9;
 
-Finding of_formulation(const Entry& entry, Finding f, const char* body, CouplingGroup group) {
+Finding of_formulation(const Entry& entry, Draft f, const char* body, CouplingGroup group) {
   const reference::JointSpec spec = joint_of(entry, finest(body), group);
-  f.unit = "relative";
-  f.comparison = Comparison::report;
-  f.oracle = Oracle::independent;
-  f.parameter = fmt::format("{}, {}", body, to_string(kLaw));
-  if (entry.needs_xi) f.parameter += fmt::format(", xi = {:.4f}", spec.xi);
-  if (!reference::accepts_law(entry, spec)) {
-    f.verdict = Verdict::left_out;
-    f.reason = "refuses a law that couples translation and rotation, which this body has at its joint point";
-    return f;
-  }
-  f.value = error_of(entry, finest(body), group);
-  f.uncertainty = kSolverRounding + std::abs(f.value - error_of(entry, finest(body, 1), group));
-  f.reason =
-      "second-order couplings against the 3D body's, compliance the same: reported, not judged; known to the "
-      "change from the last mesh but one";
-  return judged(f);
+  if (!reference::accepts_law(entry, spec))
+    return f.left_out(
+        "refuses a law that couples translation and rotation, which this body has at its joint point");
+  const double error = error_of(entry, finest(body), group);
+  const double moved = std::abs(error - error_of(entry, finest(body, 1), group));
+  const std::string xi = entry.needs_xi ? fmt::format(", xi = {:.4f}", spec.xi) : "";
+  return f.measured(error, fmt::format("{}, {}{}", body, to_string(kLaw), xi))
+      .in("relative")
+      .reported(
+          "second-order couplings against the 3D body's, compliance the same: reported, not judged; known to "
+          "the change from the last mesh but one")
+      .by(Oracle::independent, kSolverRounding + moved);
 }
 
 std::vector<Finding> fitted(const std::string& body) {
@@ -71,13 +67,10 @@ std::vector<Finding> fitted(const std::string& body) {
   for (fe::Law law : fe::kLaws) {
     for (CouplingGroup group : reference::kCouplingGroups) {
       const auto best = best_xi(truth.couplings[std::size_t(law)], truth.compliance, group);
-      Finding f = solid_finding(fmt::format("best_xi/{}/{}/{}", body, to_string(group), to_string(law)), "",
-                                "least squares over the group; what it leaves no xi can represent");
-      f.value = best.xi;
-      f.parameter = fmt::format("leaves {:.2g} of the couplings", best.remainder);
-      f.uncertainty = best.remainder;
-      f.comparison = Comparison::report;
-      out.push_back(judged(f));
+      out.push_back(solid_finding(fmt::format("best_xi/{}/{}/{}", body, to_string(group), to_string(law)))
+                        .measured(best.xi, fmt::format("leaves {:.2g} of the couplings", best.remainder))
+                        .reported("least squares over the group; what it leaves no xi can represent")
+                        .by(Oracle::none, best.remainder));
     }
   }
   return out;
@@ -89,7 +82,7 @@ void fe_formulations(Checks& checks) {
   for (const char* body : kBodies) {
     for (CouplingGroup group : reference::kCouplingGroups) {
       add_property(checks, fmt::format("fe_{}_{}", body, to_string(group)), {Kind::linear_angular},
-                   [body, group](const Entry& entry, Kind, Finding f) {
+                   [body, group](const Entry& entry, Kind, Draft f) {
                      return of_formulation(entry, std::move(f), body, group);
                    });
     }

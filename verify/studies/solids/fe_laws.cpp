@@ -4,6 +4,9 @@
 #include "reference/numbers/precision.hpp"
 #include "reference/numbers/random.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/worst.hpp"
+
+#include <fmt/format.h>
 
 namespace halfway::verify {
 namespace {
@@ -73,18 +76,17 @@ std::vector<Mat3<double>> strains() {
 
 std::vector<Finding> law_findings(fe::Law law) {
   const std::string name = std::string("laws/") + to_string(law);
-  double worst_stress = 0, worst_tangent = 0, worst_second = 0;
+  Measurement worst_stress, worst_tangent, worst_second;
   for (const Mat3<double>& E : strains()) {
     const fe::LawResponse6 r = respond(law, kMaterial, E);
-    const double size = std::max(E.norm(), 1e-300);
+    const double size = larger(E.norm(), 1e-300);
+    const std::string at = fmt::format("|E| = {:.2g}", E.norm());
     for (int k = 0; k < 6; ++k) {
       const Mat3D dual = stress(law, along(E, k));
       if (law != fe::Law::cauchy_log)
-        worst_stress =
-            std::max(worst_stress, std::abs(double(energy(law, along(E, k)).d - Real50(r.S[k]))) / size);
+        worst_stress.include(std::abs(double(energy(law, along(E, k)).d - Real50(r.S[k]))) / size, at);
       for (int i = 0; i < 6; ++i)
-        worst_tangent =
-            std::max(worst_tangent, std::abs(double(dual(kRow[i], kColumn[i]).d - Real50(r.D(i, k)))));
+        worst_tangent.include(std::abs(double(dual(kRow[i], kColumn[i]).d - Real50(r.D(i, k)))), at);
     }
     // The quadratic part from the tangent at small strains: S_2(E, E) = d/de D(e E) E / 2.
     if (E.norm() < 0.05) continue;
@@ -98,24 +100,31 @@ std::vector<Finding> law_findings(fe::Law law) {
     const Mat3<double> second =
         (p[0] * E.trace() * E.trace() + p[1] * EE.trace()) * I + p[2] * E.trace() * E + p[3] * EE;
     for (int i = 0; i < 6; ++i)
-      worst_second = std::max(worst_second, std::abs(second(kRow[i], kColumn[i]) - found[i]) / EE.norm());
+      worst_second.include(std::abs(second(kRow[i], kColumn[i]) - found[i]) / EE.norm(), at);
   }
   std::vector<Finding> out;
   if (law != fe::Law::cauchy_log) {
     out.push_back(
-        below(solid_finding(name + "/energy_gradient", "relative",
-                            "E = 1: rounding of a few operations on numbers near 1, relative to the strain; "
-                            "the energy's own derivative cancels nothing"),
-              worst_stress, 1e-13, Oracle::independent));
+        solid_finding(name + "/energy_gradient")
+            .in("relative")
+            .measured(worst_stress)
+            .at_most(1e-13,
+                     "E = 1: rounding of a few operations on numbers near 1, relative to the strain; "
+                     "the energy's own derivative cancels nothing")
+            .by(Oracle::independent));
   }
-  out.push_back(below(
-      solid_finding(name + "/tangent", "relative", "E = 1: rounding of a few operations on numbers near 1"),
-      worst_tangent, 2e-14, Oracle::independent));
+  out.push_back(solid_finding(name + "/tangent")
+                    .in("relative")
+                    .measured(worst_tangent)
+                    .at_most(2e-14, "E = 1: rounding of a few operations on numbers near 1")
+                    .by(Oracle::independent));
   out.push_back(
-      below(solid_finding(
-                name + "/quadratic_part", "relative",
-                "central difference with steps of 1e-6 in strain: rounding 1e-16 / 1e-6, truncation 1e-12"),
-            worst_second, 1e-9, Oracle::independent));
+      solid_finding(name + "/quadratic_part")
+          .in("relative")
+          .measured(worst_second)
+          .at_most(1e-9,
+                   "central difference with steps of 1e-6 in strain: rounding 1e-16 / 1e-6, truncation 1e-12")
+          .by(Oracle::independent));
   return out;
 }
 

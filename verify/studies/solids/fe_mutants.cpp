@@ -20,7 +20,7 @@ Measurement asymmetry(bool face_turns) {
   if (!face_turns) linear.compliance.bottomRows<3>().setZero();
   fe::SecondOrder s = second_order(solid, linear);
   s.compliance = compliance;
-  Measurement worst{0, "no law"};
+  Measurement worst;
   for (fe::Law law : fe::kLaws) {
     worst.include(std::abs(xi_of_moments(s, law, 0, 2) - 0.5), std::string("law ") + to_string(law));
   }
@@ -46,10 +46,7 @@ Measurement theta_2_of_calculix(bool by_rotation_vector) {
 
 std::vector<Finding> moment_on_rotation_vector(const std::string& name) {
   if (!fe::calculix_available()) {
-    Finding f = solid_finding("", "", "the program ccx is not installed (package calculix-ccx)");
-    f.name = name;
-    f.verdict = Verdict::left_out;
-    return {f};
+    return {finding(name).about("fe").left_out("the program ccx is not installed (package calculix-ccx)")};
   }
   return verdicts(name, "fe/calculix theta_2", theta_2_of_calculix(false), theta_2_of_calculix(true), 5e-6);
 }

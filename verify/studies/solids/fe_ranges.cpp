@@ -76,7 +76,8 @@ reference::Scene prolonged(const Range& range) {
 }
 
 /// The load at which the relative error of theta_2 first exceeds `limit`, by linear interpolation between the
-/// points; the last load where it never does; 0 where it does from the start.
+/// points; the last load where it never does; 0 where it does from the start; NaN without a point, or where a
+/// rotation is none.
 double reached(const reference::Curve& lumped, const Range& range, double limit) {
   double last_load = 0, last_error = 0;
   const auto& points = truth(range).points;
@@ -85,70 +86,69 @@ double reached(const reference::Curve& lumped, const Range& range, double limit)
     if (row[0] <= 0) continue;
     if (i == points.size()) break;
     const double error = std::abs(row[2] / points[i].theta[1] - 1);
-    if (error > limit)
-      return i == 0 ? 0 : last_load + (row[0] - last_load) * (limit - last_error) / (error - last_error);
+    if (!(error <= limit))
+      return i == 0 && error > limit
+                 ? 0
+                 : last_load + (row[0] - last_load) * (limit - last_error) / (error - last_error);
     last_load = row[0];
     last_error = error;
     ++i;
   }
-  return last_load;
+  return i == 0 ? std::nan("") : last_load;
 }
 
 /// Rotation of the body (degrees) up to which the whole rotation vector is within `limit` of the body's, as
-/// the chord between the two over the body's, by linear interpolation between the points of the curve.
+/// the chord between the two over the body's, by linear interpolation between the points of the curve. NaN
+/// without a point, or where a rotation is none.
 double degrees_within(const reference::Curve& lumped, const Range& range, double limit) {
-  double last_phi = 0, last_error = 0;
+  double last_phi = std::nan(""), last_error = 0;
   const auto& points = truth(range).points;
   for (std::size_t i = 0; i < points.size() && i + 1 < lumped.rows.size(); ++i) {
     const auto& row = lumped.rows[i + 1];  // the first is the unloaded joint's
     const double phi = points[i].theta.norm();
     const double error = (Vec3<double>(row[1], row[2], row[3]) - points[i].theta).norm() / phi;
     if (!(error <= limit)) {
-      const double share = i == 0 ? 0 : (limit - last_error) / (error - last_error);
-      return (last_phi + share * (phi - last_phi)) * 180 / std::numbers::pi;
+      const double share = i == 0 && error > limit ? 0 : (limit - last_error) / (error - last_error);
+      return (i == 0 ? share * phi : last_phi + share * (phi - last_phi)) * 180 / std::numbers::pi;
     }
     last_phi = phi, last_error = error;
   }
   return last_phi * 180 / std::numbers::pi;
 }
 
-Finding degrees_of(const Entry& entry, Finding f, const Range& range, double limit) {
+Finding degrees_of(const Entry& entry, Draft f, const Range& range, double limit) {
   const reference::Curve lumped = solve_scene(prolonged(range), {&entry, xi_for(entry, range)});
-  f.value = degrees_within(lumped, range, limit);
-  f.unit = "deg";
-  f.comparison = Comparison::report;
-  f.oracle = Oracle::independent;
-  f.parameter = fmt::format("whole rotation vector; the curve ends at {:.1f} deg",
-                            truth(range).points.back().theta.norm() * 180 / std::numbers::pi);
-  f.reason = "rotation up to which the joint follows the 3D body (cauchy_log): reported";
-  return judged(f);
+  return f
+      .measured(degrees_within(lumped, range, limit),
+                fmt::format("whole rotation vector; the curve ends at {:.1f} deg",
+                            truth(range).points.back().theta.norm() * 180 / std::numbers::pi))
+      .in("deg")
+      .reported("rotation up to which the joint follows the 3D body (cauchy_log): reported")
+      .by(Oracle::independent);
 }
 
-Finding of_formulation(const Entry& entry, Finding f, const Range& range) {
+Finding of_formulation(const Entry& entry, Draft f, const Range& range) {
   const reference::Scene s = prolonged(range);
-  f.unit = range.unit;
-  f.comparison = Comparison::report;
-  f.oracle = Oracle::independent;
-  if (!reference::accepts_law(entry, s.joint)) {
-    f.verdict = Verdict::left_out;
-    f.reason = "refuses a law that couples translation and rotation";
-    return f;
-  }
+  if (!reference::accepts_law(entry, s.joint))
+    return f.left_out("refuses a law that couples translation and rotation");
   const reference::Curve lumped = solve_scene(s, {&entry, xi_for(entry, range)});
   const double end = s.factor_end;
-  f.value = reached(lumped, range, 0.01);
-  const double five = reached(lumped, range, 0.05);
+  const double one = reached(lumped, range, 0.01), five = reached(lumped, range, 0.05);
   const auto text = [&](double load) {
     return load >= end * (1 - 1e-12) ? fmt::format("{:g}, the end of the 3D curve", load)
                                      : fmt::format("{:.3g}", load);
   };
-  f.parameter = fmt::format("theta_2 within 1 % up to {}, within 5 % up to {}; phi = {:.2f} rad at {:g}",
-                            text(f.value), text(five), truth(range).points.back().theta.norm(), end);
-  if (entry.needs_xi) f.parameter += fmt::format("; xi = {:.4f}, the body's", xi_for(entry, range));
-  f.reason = lumped.converged
-                 ? "load up to which the coupling theta_2 is within 1 % of the 3D body (cauchy_log): reported"
-                 : "the lumped path itself ends early: " + lumped.outcome;
-  return judged(f);
+  std::string where =
+      fmt::format("theta_2 within 1 % up to {}, within 5 % up to {}; phi = {:.2f} rad at {:g}", text(one),
+                  text(five), truth(range).points.back().theta.norm(), end);
+  if (entry.needs_xi) where += fmt::format("; xi = {:.4f}, the body's", xi_for(entry, range));
+  return f.measured(one, where)
+      .in(range.unit)
+      .reported(
+          lumped.converged
+              ? "load up to which the coupling theta_2 is within 1 % of the 3D body (cauchy_log): reported"
+              : "the lumped path itself ends early: " + lumped.outcome)
+      .by(Oracle::independent);
 }
 
 }  // namespace
@@ -157,12 +157,12 @@ void fe_ranges(Checks& checks) {
   for (const Range& range : kRanges) {
     add_property(
         checks, std::string("fe_") + range.study, {range.kind},
-        [&range](const Entry& entry, Kind, Finding f) { return of_formulation(entry, std::move(f), range); });
+        [&range](const Entry& entry, Kind, Draft f) { return of_formulation(entry, std::move(f), range); });
   }
   const Range& block = kRanges[0];
   for (const auto& [name, limit] :
        {std::pair{"fe_degrees_1_percent", 0.01}, {"fe_degrees_5_percent", 0.05}}) {
-    add_property(checks, name, {block.kind}, [&block, limit = limit](const Entry& entry, Kind, Finding f) {
+    add_property(checks, name, {block.kind}, [&block, limit = limit](const Entry& entry, Kind, Draft f) {
       return degrees_of(entry, std::move(f), block, limit);
     });
   }

@@ -2,6 +2,7 @@
 #include "reference/truth/coupling_fit.hpp"
 #include "reference/truth/second_order.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -34,10 +35,14 @@ std::vector<Finding> symmetric_body() {
       const fe::SecondOrder& s = coarse("block").result;
       const std::string pair = fmt::format("{}{}/{}", i + 1, j + 1, to_string(law));
       const char* reason = "exact by symmetry; rounding grows with the solver's condition, some 1e4 eps";
-      out.push_back(near_to(solid_finding("block/xi_moments/" + pair, "", reason),
-                            xi_of_moments(s, law, i, j), 0.5, 1e-9, Oracle::closed_form));
-      out.push_back(near_to(solid_finding("block/xi_forces/" + pair, "", reason), xi_of_forces(s, law, i, j),
-                            0.5, 1e-9, Oracle::closed_form));
+      out.push_back(solid_finding("block/xi_moments/" + pair)
+                        .measured(xi_of_moments(s, law, i, j))
+                        .equal(0.5, 1e-9, reason)
+                        .by(Oracle::closed_form));
+      out.push_back(solid_finding("block/xi_forces/" + pair)
+                        .measured(xi_of_forces(s, law, i, j))
+                        .equal(0.5, 1e-9, reason)
+                        .by(Oracle::closed_form));
     }
   }
   return out;
@@ -52,9 +57,10 @@ std::vector<Finding> exchanged_faces() {
       const double sum = xi_of_moments(coarse("frustum_top").result, law, i, j) +
                          xi_of_moments(coarse("frustum_base").result, law, i, j);
       out.push_back(
-          near_to(solid_finding(fmt::format("frustum/exchange/{}{}/{}", i + 1, j + 1, to_string(law)), "",
-                                "exact: the same solid seen from its other face; rounding as for the block"),
-                  sum, 1, 1e-9, Oracle::closed_form));
+          solid_finding(fmt::format("frustum/exchange/{}{}/{}", i + 1, j + 1, to_string(law)))
+              .measured(sum)
+              .equal(1, 1e-9, "exact: the same solid seen from its other face; rounding as for the block")
+              .by(Oracle::closed_form));
     }
   }
   return out;
@@ -67,24 +73,25 @@ double cubic_spread(const fe::SecondOrder& s, fe::Law law) {
   const double c13 = (xi_of_moments(s, law, 0, 2) - 0.5) * (k[0] - k[2]);
   const double c23 = (xi_of_moments(s, law, 1, 2) - 0.5) * (k[2] - k[1]);
   const double c12 = (xi_of_moments(s, law, 0, 1) - 0.5) * (k[1] - k[0]);
-  return (std::max({c13, c23, c12}) - std::min({c13, c23, c12})) / std::abs(c13);
+  Extent c;
+  for (const double one : {c13, c23, c12}) c.include(one);
+  return (c.high() - c.low()) / std::abs(c13);
 }
 
 std::vector<Finding> cubic_potential() {
   std::vector<Finding> out;
   for (fe::Law law : fe::kLaws) {
-    Finding f = solid_finding(
-        std::string("frustum/cubic_potential/") + to_string(law), "relative",
-        "a hyperelastic solid has one cubic coefficient; rounding times the division by xi - 1/2");
-    const double spread = cubic_spread(coarse("frustum_top").result, law);
-    if (law != fe::Law::cauchy_log) {
-      out.push_back(below(f, spread, 1e-7, Oracle::independent));
-      continue;
-    }
-    f.reason = "D : ln V for the Cauchy stress has no potential, so no single coefficient serves: measured";
-    f.value = spread;
-    f.comparison = Comparison::report;
-    out.push_back(judged(f));
+    Draft f = solid_finding(std::string("frustum/cubic_potential/") + to_string(law))
+                  .in("relative")
+                  .measured(cubic_spread(coarse("frustum_top").result, law));
+    if (law == fe::Law::cauchy_log)
+      f.reported(
+          "D : ln V for the Cauchy stress has no potential, so no single coefficient serves: measured");
+    else
+      f.at_most(1e-7,
+                "a hyperelastic solid has one cubic coefficient; rounding times the division by xi - 1/2")
+          .by(Oracle::independent);
+    out.push_back(f);
   }
   return out;
 }
@@ -110,17 +117,20 @@ std::vector<Finding> newton() {
                           body.face + joint_point(body));
     for (fe::Law law : fe::kLaws) {
       const double perturbation = 2 * coarse(name).result.couplings[std::size_t(law)][4](3, 5) * product;
-      out.push_back(
-          near_to(solid_finding(fmt::format("newton/{}/{}", name, to_string(law)), "relative to perturbation",
-                                "two loads leave the fourth order of theta, 1e-5; the solver's rounding "
-                                "of theta_2 beside theta_1 is 1e-6"),
-                  newton_coefficient(solid, law, M) / perturbation, 1, 1e-4, Oracle::independent));
+      out.push_back(solid_finding(fmt::format("newton/{}/{}", name, to_string(law)))
+                        .in("relative to perturbation")
+                        .measured(newton_coefficient(solid, law, M) / perturbation)
+                        .equal(1, 1e-4,
+                               "two loads leave the fourth order of theta, 1e-5; the solver's rounding "
+                               "of theta_2 beside theta_1 is 1e-6")
+                        .by(Oracle::independent));
       // A moment that turns with the face is m + theta x m to second order: xi becomes xi - 1.
       const double xi = xi_of_moments(coarse(name).result, law, 0, 2);
-      out.push_back(near_to(solid_finding(fmt::format("newton/follower/{}/{}", name, to_string(law)),
-                                          "relative to perturbation", "as for the fixed moment"),
-                            newton_coefficient(solid, law, M, true) / perturbation, (xi - 1) / xi, 1e-4,
-                            Oracle::independent));
+      out.push_back(solid_finding(fmt::format("newton/follower/{}/{}", name, to_string(law)))
+                        .in("relative to perturbation")
+                        .measured(newton_coefficient(solid, law, M, true) / perturbation)
+                        .equal((xi - 1) / xi, 1e-4, "as for the fixed moment")
+                        .by(Oracle::independent));
     }
   }
   return out;
@@ -140,9 +150,11 @@ std::vector<Finding> lumped() {
     Vec3<double> second;
     for (int k = 0; k < 3; ++k) second[k] = m.dot(Q[std::size_t(3 + k)].bottomRightCorner<3, 3>() * m);
     const Vec3<double> theory = reference::second_order_rotation<double>(F, m, xi, 0) - F.cwiseProduct(m);
-    out.push_back(
-        below(solid_finding(std::string("lumped_couplings/") + name, "relative", "rounding of doubles"),
-              (second - theory).norm() / (F.cwiseProduct(m).squaredNorm()), 1e-12, Oracle::closed_form));
+    out.push_back(solid_finding(std::string("lumped_couplings/") + name)
+                      .in("relative")
+                      .measured((second - theory).norm() / (F.cwiseProduct(m).squaredNorm()))
+                      .at_most(1e-12, "rounding of doubles")
+                      .by(Oracle::closed_form));
   }
   return out;
 }

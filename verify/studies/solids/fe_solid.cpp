@@ -56,10 +56,11 @@ Finding tangent(fe::ElementKind element, fe::Law law) {
     return balance(solid, law, moved);
   };
   const Eigen::VectorXd difference = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
-  return below(
-      solid_finding(std::string("solid/tangent/") + to_string(element) + "/" + to_string(law), "relative",
-                    "fourth-order difference, step 1e-4 of the body: truncation and rounding near 1e-11"),
-      (analytic - difference).norm() / difference.norm(), 1e-9, Oracle::independent);
+  return solid_finding(std::string("solid/tangent/") + to_string(element) + "/" + to_string(law))
+      .in("relative")
+      .measured((analytic - difference).norm() / difference.norm())
+      .at_most(1e-9, "fourth-order difference, step 1e-4 of the body: truncation and rounding near 1e-11")
+      .by(Oracle::independent);
 }
 
 /// A clamped face that moves with the rest: no strain, no force. The whole body turned by 1.3 rad.
@@ -71,10 +72,11 @@ Finding objectivity(fe::Law law) {
   const Mat3<double> R = so3::exp<double>(1.3 * g.direction());
   state.u = R * (solid.mesh().X + state.u) - solid.mesh().X;
   const Eigen::Matrix3Xd after = solid.assemble(law, state).force;
-  return below(
-      solid_finding(std::string("solid/objectivity/") + to_string(law), "relative",
-                    "rounding of a displacement of 1 m with strains of 1e-2, over some tens of sums"),
-      (after - R * before).norm() / before.norm(), 1e-12, Oracle::independent);
+  return solid_finding(std::string("solid/objectivity/") + to_string(law))
+      .in("relative")
+      .measured((after - R * before).norm() / before.norm())
+      .at_most(1e-12, "rounding of a displacement of 1 m with strains of 1e-2, over some tens of sums")
+      .by(Oracle::independent);
 }
 
 /// A uniform gradient on a tapered mesh: P is uniform, so the divergence theorem gives
@@ -92,9 +94,11 @@ Finding patch(fe::ElementKind element) {
   const Mat3<double> I = Mat3<double>::Identity(), F = I + H, E = (F.transpose() * F - I) / 2;
   const Mat3<double> P = F * (material.lambda() * E.trace() * I + 2 * material.mu() * E);
   const double volume = 2 * ((1 * 0.7 + 0.6 * 0.8) / 3 + (1 * 0.8 + 0.6 * 0.7) / 6);
-  return below(solid_finding(std::string("solid/patch/") + to_string(element), "relative",
-                             "exact but for rounding in some thousand sums: the gradient is uniform"),
-               std::abs(work / (volume * P.cwiseProduct(G).sum()) - 1), 1e-12, Oracle::closed_form);
+  return solid_finding(std::string("solid/patch/") + to_string(element))
+      .in("relative")
+      .measured(std::abs(work / (volume * P.cwiseProduct(G).sum()) - 1))
+      .at_most(1e-12, "exact but for rounding in some thousand sums: the gradient is uniform")
+      .by(Oracle::closed_form);
 }
 
 /// The 13 incompatible modes leave a uniform strain alone: the stiffness times u = H X gives the forces of
@@ -119,9 +123,11 @@ Finding patch_incompatible() {
   double volume = 0;
   for (std::size_t p = 0; p < element.points.size(); ++p)
     volume += element.weights[p] * Mat3<double>(X * element.dN[p].transpose()).determinant();
-  return below(solid_finding("solid/patch/hex8i", "relative",
-                             "exact but for rounding: the modes are orthogonal to it"),
-               std::abs(v.dot(K * u) / (volume * S.cwiseProduct(G).sum()) - 1), 1e-12, Oracle::closed_form);
+  return solid_finding("solid/patch/hex8i")
+      .in("relative")
+      .measured(std::abs(v.dot(K * u) / (volume * S.cwiseProduct(G).sum()) - 1))
+      .at_most(1e-12, "exact but for rounding: the modes are orthogonal to it")
+      .by(Oracle::closed_form);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "reference/truth/decoupling.hpp"
 #include "reference/truth/fe/incompatible.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -31,20 +32,23 @@ std::vector<Finding> recomputed(const fe::Characterisation& kept) {
   for (const fe::MeshRun& run : kept.runs) {
     if (run.level != kept.runs.front().level) continue;
     const fe::SecondOrder live = characterise(body, kept.joint_point, run.element, run.level).result;
-    double worst = (live.compliance - run.result.compliance).norm() / live.compliance.norm();
+    Measurement worst((live.compliance - run.result.compliance).norm() / live.compliance.norm(),
+                      "compliance");
     for (std::size_t law = 0; law < fe::kLaws.size(); ++law) {
       double difference = 0, size = 0;
       for (std::size_t k = 0; k < 6; ++k) {
         difference += (live.couplings[law][k] - run.result.couplings[law][k]).squaredNorm();
         size += live.couplings[law][k].squaredNorm();
       }
-      worst = std::max(worst, std::sqrt(difference / size));
+      worst.include(std::sqrt(difference / size), std::string("couplings of ") + to_string(fe::kLaws[law]));
     }
-    out.push_back(
-        below(solid_finding(fmt::format("kept/{}/{}", kept.body, to_string(run.element)), "relative",
-                            "the same computation; another BLAS or compiler rounds differently, times the "
-                            "condition of the stiffness (1e4)"),
-              worst, 1e-9, Oracle::none));
+    out.push_back(solid_finding(fmt::format("kept/{}/{}", kept.body, to_string(run.element)))
+                      .in("relative")
+                      .measured(worst)
+                      .at_most(1e-9,
+                               "the same computation; another BLAS or compiler rounds differently, times the "
+                               "condition of the stiffness (1e4)")
+                      .by(Oracle::kept));
   }
   return out;
 }
@@ -55,19 +59,21 @@ std::vector<Finding> converged_figures(const std::string& name) {
   std::vector<Finding> out;
   for (int k = 0; k < 6; ++k) {
     const fe::Estimate e = converged(c, ElementKind::hex20, compliance(k));
-    Finding f =
-        solid_finding(fmt::format("error_bar/{}/{}", name, axis_name(k)), "relative",
-                      "the target of the 3D truth: grid convergence index of the finest of four meshes");
-    f.parameter = fmt::format("{:.6g} +- {:.1e}, order {:.2f}", e.value, e.uncertainty, e.order);
-    out.push_back(below(f, e.uncertainty / e.value, 1e-4, Oracle::none));
+    out.push_back(
+        solid_finding(fmt::format("error_bar/{}/{}", name, axis_name(k)))
+            .in("relative")
+            .measured(e.uncertainty / e.value,
+                      fmt::format("{:.6g} +- {:.1e}, order {:.2f}", e.value, e.uncertainty, e.order))
+            .at_most(1e-4, "the target of the 3D truth: grid convergence index of the finest of four meshes")
+            .by(Oracle::independent));
   }
   for (fe::Law law : fe::kLaws) {
     const fe::Estimate e = converged(c, ElementKind::hex20,
                                      [law](const fe::SecondOrder& s) { return xi_of_moments(s, law, 0, 2); });
-    Finding f = solid_finding(fmt::format("error_bar/{}/xi/{}", name, to_string(law)), "",
-                              "the target of the 3D truth: grid convergence index");
-    f.parameter = fmt::format("xi = {:.6f} +- {:.1e}", e.value, e.uncertainty);
-    out.push_back(below(f, e.uncertainty, 1e-3, Oracle::none));
+    out.push_back(solid_finding(fmt::format("error_bar/{}/xi/{}", name, to_string(law)))
+                      .measured(e.uncertainty, fmt::format("xi = {:.6f} +- {:.1e}", e.value, e.uncertainty))
+                      .at_most(1e-3, "the target of the 3D truth: grid convergence index")
+                      .by(Oracle::independent));
   }
   return out;
 }
@@ -78,12 +84,13 @@ std::vector<Finding> elements_agree(const std::string& name, ElementKind other) 
   std::vector<Finding> out;
   const auto hold = [&](const std::string& what, const fe::Figure& figure) {
     const fe::Estimate a = converged(c, ElementKind::hex20, figure), b = converged(c, other, figure);
-    Finding f = solid_finding(fmt::format("elements/{}/{}/{}", name, to_string(other), what), "error bars",
-                              "both extrapolate to the same solid: within the sum of their error bars");
-    f.parameter =
-        fmt::format("{:.8g} +- {:.1e} and {:.8g} +- {:.1e}", a.value, a.uncertainty, b.value, b.uncertainty);
-    out.push_back(
-        below(f, std::abs(a.value - b.value) / (a.uncertainty + b.uncertainty), 1, Oracle::independent));
+    out.push_back(solid_finding(fmt::format("elements/{}/{}/{}", name, to_string(other), what))
+                      .in("error bars")
+                      .measured(std::abs(a.value - b.value) / (a.uncertainty + b.uncertainty),
+                                fmt::format("{:.8g} +- {:.1e} and {:.8g} +- {:.1e}", a.value, a.uncertainty,
+                                            b.value, b.uncertainty))
+                      .at_most(1, "both extrapolate to the same solid: within the sum of their error bars")
+                      .by(Oracle::independent));
   };
   for (int k = 0; k < 6; ++k) hold(axis_name(k), compliance(k));
   if (name == "block") return out;  // xi is exact there
@@ -101,20 +108,13 @@ std::vector<Finding> printed_xi() {
   for (fe::Law law : fe::kLaws) {
     const fe::Estimate e = converged(characterisation("frustum_top"), ElementKind::hex20,
                                      [law](const fe::SecondOrder& s) { return xi_of_moments(s, law, 0, 2); });
-    Finding f = solid_finding(std::string("frustum/printed_xi/") + to_string(law), "",
-                              "half a unit of the two digits printed");
-    f.parameter = fmt::format("xi = {:.5f} +- {:.0e}, top clamped", e.value, e.uncertainty);
-    f.uncertainty = e.uncertainty;
-    if (law == fe::Law::cauchy_log) {
-      out.push_back(near_to(f, e.value, printed, 0.005, Oracle::printed));
-      continue;
-    }
-    f.value = e.value;
-    f.expected = printed;
-    f.comparison = Comparison::report;
-    f.oracle = Oracle::printed;
-    f.reason = "another law than the one that the paper's program documents: reported";
-    out.push_back(judged(f));
+    Draft f = solid_finding(std::string("frustum/printed_xi/") + to_string(law));
+    f.measured(e.value, fmt::format("xi = {:.5f} +- {:.0e}, top clamped", e.value, e.uncertainty))
+        .equal(printed, 0.005, "half a unit of the two digits printed")
+        .by(Oracle::printed, e.uncertainty);
+    if (law != fe::Law::cauchy_log)
+      f.reported("another law than the one that the paper's program documents: reported");
+    out.push_back(f);
   }
   return out;
 }
@@ -123,16 +123,17 @@ std::vector<Finding> printed_xi() {
 void compare(std::vector<Finding>& out, const std::string& table, int k, const nlohmann::json& text,
              double paper_mesh, double limit, const std::string& reason, const fe::Characterisation& c) {
   const double printed = std::stod(text.get<std::string>());
-  Finding f = solid_finding(table + "/paper_mesh/" + axis_name(k), "relative", reason);
-  out.push_back(below(f, std::abs(paper_mesh / printed - 1), limit, Oracle::printed));
+  out.push_back(solid_finding(table + "/paper_mesh/" + axis_name(k))
+                    .in("relative")
+                    .measured(std::abs(paper_mesh / printed - 1))
+                    .at_most(limit, reason)
+                    .by(Oracle::printed));
   const fe::Estimate e = converged(c, ElementKind::hex20, compliance(k));
-  Finding d = solid_finding(table + "/discretisation/" + axis_name(k), "relative",
-                            "the print's own discretisation error: printed over converged value, reported");
-  d.value = printed / e.value - 1;
-  d.uncertainty = e.uncertainty / e.value;
-  d.comparison = Comparison::report;
-  d.oracle = Oracle::printed;
-  out.push_back(judged(d));
+  out.push_back(solid_finding(table + "/discretisation/" + axis_name(k))
+                    .in("relative")
+                    .measured(printed / e.value - 1)
+                    .reported("the print's own discretisation error: printed over converged value, reported")
+                    .by(Oracle::printed, e.uncertainty / e.value));
 }
 
 constexpr const char* kPrintReason =
@@ -169,17 +170,15 @@ std::vector<Finding> table_three() {
     const auto& text = table["angular_compliance"][std::size_t(k)];
     compare(out, "table_3", 3 + k, text, C(3 + k, 3 + k), 3e-6, kPrintReason,
             characterisation("frustum_top"));
-    Finding f = solid_finding(
-        "table_3/printed_height/" + axis_name(3 + k), "relative",
-        "known misprint: with the printed height of 10 m the body is 45 to 126 % too stiff (two digits)");
     const fe::Estimate wrong =
         converged(characterisation("frustum_printed"), ElementKind::hex20, compliance(3 + k));
-    f.value = std::stod(text.get<std::string>()) / wrong.value - 1;
-    f.low = 0.44;
-    f.high = 1.27;
-    f.comparison = Comparison::within;
-    f.oracle = Oracle::printed;
-    out.push_back(judged(f));
+    out.push_back(solid_finding("table_3/printed_height/" + axis_name(3 + k))
+                      .in("relative")
+                      .measured(std::stod(text.get<std::string>()) / wrong.value - 1)
+                      .within(0.44, 1.27,
+                              "known misprint: with the printed height of 10 m the body is 45 to 126 % too "
+                              "stiff (two digits)")
+                      .by(Oracle::printed));
   }
   return out;
 }
@@ -190,26 +189,26 @@ std::vector<Finding> matrix_51() {
   const fe::Mat6 C = incompatible_compliance(mesh, {1, 0.3}, {5, 0, 0});
   const auto printed = reference::read_data("paper/tables.json")["matrix_51"]["printed"];
   std::vector<Finding> out;
-  double worst = 0;
-  std::string where;
+  Measurement worst;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) {
       const std::string text = printed[i][j].get<std::string>();
       const double unit = std::pow(10, std::stoi(text.substr(text.find('e') + 1)) - 3);
       const double off = std::abs(C(Eigen::Index(i), Eigen::Index(j)) - std::stod(text)) / unit;
-      if (off > worst) {
-        worst = off;
-        where = fmt::format("F{}{}", i + 1, j + 1);
-      }
+      worst.include(off, fmt::format("F{}{}", i + 1, j + 1));
     }
   }
-  Finding f = solid_finding("matrix_51/paper_mesh", "units of the last digit",
-                            "half a unit of the last printed digit");
-  f.parameter = where;
-  out.push_back(below(f, worst, 0.5, Oracle::printed));
+  out.push_back(solid_finding("matrix_51/paper_mesh")
+                    .in("units of the last digit")
+                    .measured(worst)
+                    .at_most(0.5, "half a unit of the last printed digit")
+                    .by(Oracle::printed));
   const auto d = reference::decouple<double>(C);
-  out.push_back(near_to(solid_finding("matrix_51/joint_point", "m", "the centroid, by symmetry; rounding"),
-                        d.x[0], -2.5, 1e-9, Oracle::closed_form));
+  out.push_back(solid_finding("matrix_51/joint_point")
+                    .in("m")
+                    .measured(d.x[0])
+                    .equal(-2.5, 1e-9, "the centroid, by symmetry; rounding")
+                    .by(Oracle::closed_form));
   return out;
 }
 

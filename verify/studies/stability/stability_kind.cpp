@@ -14,7 +14,7 @@ using namespace reference;
 
 /// |J - J^T| / |J| where three semi-tangential moments, square at different angles, balance the joint at a
 /// generic pose: nothing for loads that have a potential, because all forces then have one.
-Finding symmetry_under_couples(const Entry& entry, Kind kind, Finding f) {
+Finding symmetry_under_couples(const Entry& entry, Kind kind, Draft f) {
   Measurement worst;
   for (const Probe& probe : probes(entry, kind, 12, 0.8)) {
     const Pose<Real50> a = exact_pose(probe.a, probe.spec.a), b = exact_pose(probe.b, probe.spec.b);
@@ -31,16 +31,10 @@ Finding symmetry_under_couples(const Entry& entry, Kind kind, Finding f) {
     const Mat3<Real50> skewness = J - J.transpose();
     worst.include(double(largest_entry<Real50>(skewness) / largest_entry<Real50>(J)), "generic pose");
   }
-  f.value = worst.value;
-  f.oracle = Oracle::independent;
-  if (entry.has_potential(kind)) {
-    f.high = kRounding;
-    f.reason = kRoundingReason;
-  } else {
-    f.comparison = Comparison::report;
-    f.reason = "no potential: nothing says that the tangent is symmetric, and flutter is possible";
-  }
-  return judged(f);
+  f.measured(worst);
+  if (!entry.has_potential(kind))
+    return f.reported("no potential: nothing says that the tangent is symmetric, and flutter is possible");
+  return f.at_most(kRounding, kRoundingReason).by(Oracle::closed_form);
 }
 
 JointSpec block_spec(const Entry& entry, Kind kind) {
@@ -55,7 +49,7 @@ JointSpec block_spec(const Entry& entry, Kind kind) {
 }
 
 /// The coefficients of the cubic at 50 digits against the symmetric functions of GSL's eigenvalues.
-Finding cubic_and_eigenvalues(const Entry& entry, Kind kind, Finding f) {
+Finding cubic_and_eigenvalues(const Entry& entry, Kind kind, Draft f) {
   const BodyInertia body{"1:2:2.5", {1, 2, 2.5}, 1};
   const JointSpec spec = block_spec(entry, kind);
   Measurement worst;
@@ -66,17 +60,19 @@ Finding cubic_and_eigenvalues(const Entry& entry, Kind kind, Finding f) {
       const auto c = characteristic(p50.J, body, p50.R);
       const auto mu = modes(p.J, mass_matrix(body, p.R, 3));
       const auto sum = mu[0] + mu[1] + mu[2], minors = mu[0] * mu[1] + mu[1] * mu[2] + mu[2] * mu[0];
-      const double size = std::max({std::abs(mu[0]), std::abs(mu[1]), std::abs(mu[2])});
+      const double size = larger(larger(std::abs(mu[0]), std::abs(mu[1])), std::abs(mu[2]));
       const std::string at = std::string(to_string(setting)) + " moment about " + std::to_string(axis + 1);
       worst.include(std::abs(sum - double(c.trace)) / size, at);
       worst.include(std::abs(minors - double(c.minors)) / (size * size), at);
       worst.include(std::abs(mu[0] * mu[1] * mu[2] - double(c.det)) / (size * size * size), at);
     }
   }
-  return held(
-      f, worst, 2e-14,
-      "GSL's balanced QR and the joint's tangent in double, some tens of eps of the largest eigenvalue",
-      "relative to powers of the largest eigenvalue");
+  return f.measured(worst)
+      .in("relative to powers of the largest eigenvalue")
+      .at_most(
+          2e-14,
+          "GSL's balanced QR and the joint's tangent in double, some tens of eps of the largest eigenvalue")
+      .by(Oracle::independent);
 }
 
 /// The tangent of the forces alone at the turned pose of no force, by the linear kind.
@@ -92,16 +88,16 @@ double distance(const std::vector<std::complex<double>>& some,
                 const std::vector<std::complex<double>>& others) {
   double worst = 0, largest = 0;
   for (const auto& mu : some) {
-    double nearest = INFINITY;
-    for (const auto& other : others) nearest = std::min(nearest, std::abs(mu - other));
-    keep_largest(worst, nearest);
+    Extent to_others;
+    for (const auto& other : others) to_others.include(std::abs(mu - other));
+    keep_largest(worst, to_others.low());
     keep_largest(largest, std::abs(mu));
   }
   return worst / largest;
 }
 
 /// Where no force acts, the six modes are those of the linear and those of the angular joint.
-Finding six_modes(const Entry& entry, Kind kind, Finding f) {
+Finding six_modes(const Entry& entry, Kind kind, Draft f) {
   const BodyInertia body{"1:2:2.5", {1, 2, 2.5}, 4};
   const MomentSetting setting{MomentType::follower, false};
   Measurement worst;
@@ -116,33 +112,28 @@ Finding six_modes(const Entry& entry, Kind kind, Finding f) {
     for (const auto& mu : modes(force_tangent(entry, p.R), body.mass * Mat3<double>::Identity()))
       expected.push_back(mu);
     const auto six = modes(J, mass_matrix(body, p.R, 6));
-    worst.include(std::max(distance(six, expected), distance(expected, six)),
+    worst.include(larger(distance(six, expected), distance(expected, six)),
                   "axis " + std::to_string(axis + 1));
   }
-  return held(f, worst, 1e-14, "QR in double, some tens of eps of the largest eigenvalue",
-              "relative to the largest eigenvalue");
+  return f.measured(worst)
+      .in("relative to the largest eigenvalue")
+      .at_most(1e-14, "QR in double, some tens of eps of the largest eigenvalue")
+      .by(Oracle::independent);
 }
 
 /// Strained but without force: springs between turned bodies must not flutter. Largest imaginary part of the
 /// modes of three displacements at a rotation of 0.75 rad.
-Finding flutter_without_load(const Entry& entry, Kind kind, Finding f) {
+Finding flutter_without_load(const Entry& entry, Kind kind, Draft f) {
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
     const Mat3<double> R = so3::exp<double>(0.75 * Vec3<double>::Unit(axis));
     for (const auto& mu : modes(force_tangent(entry, R), Mat3<double>::Identity()))
       worst.include(std::abs(mu.imag()) / 130, "rotation about axis " + std::to_string(axis + 1));
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "imaginary part over the largest stiffness";
-  f.oracle = Oracle::closed_form;
-  f.high = 1e-14;
-  f.reason = "a symmetric tangent has real eigenvalues; tens of eps";
-  if (!entry.has_potential(kind)) {
-    f.comparison = Comparison::report;
-    f.reason = "no potential: above 0, the motion grows by itself without any load";
-  }
-  return judged(f);
+  f.measured(worst).in("imaginary part over the largest stiffness");
+  if (!entry.has_potential(kind))
+    return f.reported("no potential: above 0, the motion grows by itself without any load");
+  return f.at_most(1e-14, "a symmetric tangent has real eigenvalues; tens of eps").by(Oracle::closed_form);
 }
 
 }  // namespace

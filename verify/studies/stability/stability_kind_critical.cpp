@@ -26,23 +26,13 @@ JointSpec block(const Entry& entry) {
 
 double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
 
-/// 0 where both are missing, NaN where one is, else the relative difference of the loads.
-double difference(const std::optional<Critical>& a, const std::optional<Critical>& b) {
-  if (!a && !b) return 0;
-  if (!a || !b) return std::nan("");
-  return relative(a->load, b->load);
-}
-
 Finding zero(const std::string& what, const std::optional<Real50>& found, const Real50& expected) {
-  Finding f;
-  f.name = "stability_kind/zeros/" + what;
-  f.subject = "stability_kind";
-  f.value = found ? double(abs(*found - expected)) : std::nan("");
-  f.unit = "rad";
-  f.high = 1e-41;
-  f.oracle = Oracle::closed_form;
-  f.reason = "the search ends at steps of 1e-42 rad";
-  return judged(f);
+  return finding("stability_kind/zeros/" + what)
+      .about("stability_kind")
+      .measured(found ? double(abs(*found - expected)) : std::nan(""))
+      .in("rad")
+      .at_most(1e-41, "the search ends at steps of 1e-42 rad")
+      .by(Oracle::closed_form);
 }
 
 /// What the search for critical loads must tell apart: a zero, a pole, and a zero that is only touched.
@@ -54,14 +44,13 @@ std::vector<Finding> zeros() {
     return Signed<Real50>{(x - pass) * (x - pass) * (meeting - x), one};
   };
   const auto at_once = [&](const Real50& x) { return Signed<Real50>{-x * x, one}; };
-  Finding none;
-  none.name = "stability_kind/zeros/pole";
-  none.subject = "stability_kind";
-  none.value = sign_change(pole, 1.25, 1.5) || first_negative(pole, 0.25, 1.5) ? 1 : 0;
-  none.unit = "zeros found";
-  none.oracle = Oracle::closed_form;
-  none.reason = "1/(sqrt 2 - x) changes its sign and has no zero";
-  return {zero("simple", sign_change(parabola, 1.25, 1.5), sqrt(Real50(2))), judged(none),
+  const Finding none = finding("stability_kind/zeros/pole")
+                           .about("stability_kind")
+                           .measured(sign_change(pole, 1.25, 1.5) || first_negative(pole, 0.25, 1.5) ? 1 : 0)
+                           .in("zeros found")
+                           .at_most(0, "1/(sqrt 2 - x) changes its sign and has no zero")
+                           .by(Oracle::closed_form);
+  return {zero("simple", sign_change(parabola, 1.25, 1.5), sqrt(Real50(2))), none,
           zero("touched", first_negative(touching, 0.5625, 0.8125), meeting),
           zero("at_once", first_negative(at_once, 0.125, 0.125), Real50(0))};
 }
@@ -74,35 +63,45 @@ std::vector<Finding> c3_values() {
     if (r.output != "critical_moment") continue;
     const Entry& entry = *find_formulation(r.formulation);
     const auto found = PrimaryPath(entry, block(entry), s.critical_axis - 1).critical(kFixed, kRound);
-    Finding f;
-    f.name = "stability_kind/c3/" + r.formulation;
-    f.formulation = r.formulation;
-    f.subject = "stability_kind";
-    f.unit = "N m";
-    f.oracle = r.oracle;
-    f.comparison = Comparison::equal;
-    f.expected = r.none ? 0 : double(Real50(r.value.c_str()));
-    f.value = found.divergence ? double(found.divergence->load) : 0;
-    f.high = r.tolerance * std::abs(f.expected);
-    f.reason = r.none ? "none, shown as 0" : r.reason;
-    if (r.none) f.parameter = std::string("searched up to ") + to_string(found.end);
-    out.push_back(judged(f));
+    const double expected = r.none ? 0 : double(Real50(r.value.c_str()));
+    out.push_back(
+        finding("stability_kind/c3/" + r.formulation)
+            .of(r.formulation)
+            .about("stability_kind")
+            .measured(found.divergence ? double(found.divergence->load) : 0,
+                      r.none ? std::string("searched up to ") + to_string(found.end) : "")
+            .in("N m")
+            .equal(expected, r.tolerance * std::abs(expected), r.none ? "none, shown as 0" : r.reason)
+            .by(r.oracle));
   }
   return out;
 }
 
 /// The determinant's zeros by bisection of the fixed-moment tangent alone.
-Finding second_road(const Entry& entry, Kind, Finding f) {
+Finding second_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
+  std::string without;
   for (int axis = 0; axis < 3; ++axis) {
     const auto ours = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
     std::optional<Critical> theirs;
     if (const auto found = first_buckling(entry, block(entry), axis)) {
       if (double(found->angle) < ours.end_angle) theirs = Critical{found->moment, found->angle};
     }
-    worst.include(difference(ours.divergence, theirs), "axis " + std::to_string(axis + 1));
+    const std::string at = "axis " + std::to_string(axis + 1);
+    if (!ours.divergence && !theirs) {
+      without += (without.empty() ? "" : ", ") + at + " (up to " + to_string(ours.end) + ")";
+      continue;
+    }
+    const bool both = ours.divergence && theirs;
+    worst.include(both ? relative(ours.divergence->load, theirs->load) : std::nan(""), at);
   }
-  return held(f, worst, 1e-40, "both locate to 42 digits or more", "relative");
+  if (worst.is_empty())
+    return f.left_out("nothing to compare: neither road finds a divergence about " + without);
+  const std::string none = without.empty() ? "" : "; none by both roads about " + without;
+  return f.measured(worst.value(), worst.where() + none)
+      .in("relative")
+      .at_most(1e-40, "both locate to 42 digits or more")
+      .by(Oracle::independent);
 }
 
 /// First instability by GSL's eigenvalues in double, sampled and bisected.
@@ -131,7 +130,7 @@ FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSettin
   return {};
 }
 
-Finding eigenvalue_road(const Entry& entry, Kind, Finding f) {
+Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
     const PrimaryPath path(entry, block(entry), axis);
@@ -144,10 +143,12 @@ Finding eigenvalue_road(const Entry& entry, Kind, Finding f) {
                     std::string(to_string(setting)) + " moment about " + std::to_string(axis + 1));
     }
   }
-  return held(
-      f, worst, 1e-9,
-      "an imaginary part counts from 1e-6 of the largest eigenvalue, which is its square beyond the meeting",
-      "rad");
+  return f.measured(worst)
+      .in("rad")
+      .at_most(1e-9,
+               "an imaginary part counts from 1e-6 of the largest eigenvalue, which is its square beyond the "
+               "meeting")
+      .by(Oracle::independent);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "verify/oracle/measures.hpp"
 #include "verify/oracle/property.hpp"
 
+#include <numbers>
+
 namespace halfway::verify {
 namespace {
 
@@ -38,26 +40,26 @@ std::vector<Finding> by_duals(MomentType type) {
       if (potential && k < 3) worst.include(double(abs(m.m[k] + potential->d)), "potential");
     }
   }
-  Finding f;
-  f.name = name_of(type, "derivatives");
-  f.subject = "stability_kind";
-  return {held(f, worst, 1e-46, "50 digits of moments of up to 3 N m, a few operations", "N m")};
+  return {finding(name_of(type, "derivatives"))
+              .about("stability_kind")
+              .measured(worst)
+              .in("N m")
+              .at_most(1e-46, "50 digits of moments of up to 3 N m, a few operations")
+              .by(Oracle::independent)};
 }
 
 /// Ziegler: two half turns across a fixed moment cost nothing, the half turn about it that undoes them does.
 std::vector<Finding> work_round_a_loop(MomentType type) {
   const bool dead_forces = moment_potential<double>({type, 2, 0}, 1, Mat3<double>::Identity()).has_value();
-  Finding f;
-  f.name = name_of(type, "ziegler_work");
-  f.subject = "stability_kind";
-  f.value = ziegler_work(type);
-  f.unit = "J";
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.expected = dead_forces ? 0 : -3.141592653589793;
-  f.high = 1e-14;
-  f.reason = "a unit moment along or across the axis of each leg; 24 weights and as many eps of pi at worst";
-  return {judged(f)};
+  return {
+      finding(name_of(type, "ziegler_work"))
+          .about("stability_kind")
+          .measured(ziegler_work(type))
+          .in("J")
+          .equal(
+              dead_forces ? 0 : -std::numbers::pi, 1e-14,
+              "a unit moment along or across the axis of each leg; 24 weights and as many eps of pi at worst")
+          .by(Oracle::closed_form)};
 }
 
 /// Where the arms are square the semi-tangential moment turns by half of what the follower does.
@@ -66,15 +68,12 @@ std::vector<Finding> half_a_follower() {
   const Mat3<Real50> R = so3::exp<Real50>(angle * Vec3<Real50>::UnitZ());
   const auto semi = applied_moment<Real50>({MomentType::semi_tangential, 2, angle}, M, R);
   const auto follower = applied_moment<Real50>({MomentType::follower, 2, angle}, M, R);
-  Finding f;
-  f.name = name_of(MomentType::semi_tangential, "half_a_follower");
-  f.subject = "stability_kind";
-  f.value = double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * semi.m_w - follower.m_w)));
-  f.unit = "N m";
-  f.high = 1e-48;
-  f.oracle = Oracle::closed_form;
-  f.reason = "50 digits of 3 N m";
-  return {judged(f)};
+  return {finding(name_of(MomentType::semi_tangential, "half_a_follower"))
+              .about("stability_kind")
+              .measured(double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * semi.m_w - follower.m_w))))
+              .in("N m")
+              .at_most(1e-48, "50 digits of 3 N m")
+              .by(Oracle::closed_form)};
 }
 
 }  // namespace

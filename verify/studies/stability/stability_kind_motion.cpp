@@ -25,7 +25,7 @@ double growth_rate(const MotionRequest& r) {
   const auto p = loaded_state<double>(*r.entry, r.spec, r.axis, r.setting, r.angle);
   double largest = 0;
   for (const auto& mu : modes(p.J, mass_matrix(r.body, p.R, 3)))
-    largest = std::max(largest, std::abs(std::sqrt(-mu).real()));
+    keep_largest(largest, std::abs(std::sqrt(-mu).real()));
   return largest;
 }
 
@@ -36,47 +36,39 @@ std::optional<double> flutter_angle(const MotionRequest& r) {
   return double(c.flutter->angle);
 }
 
-Finding none(Finding f) {
-  f.verdict = Verdict::left_out;
-  f.reason = "no flutter under a fixed moment about axis 3 of the block of C3";
-  return f;
-}
+constexpr const char* kNone = "no flutter under a fixed moment about axis 3 of the block of C3";
 
-Finding growth_above(const Entry& entry, Kind, Finding f) {
+Finding growth_above(const Entry& entry, Kind, Draft f) {
   MotionRequest r = request_of(entry);
   const auto critical = flutter_angle(r);
-  if (!critical) return none(f);
+  if (!critical) return f.left_out(kNone);
   r.angle = 1.01 * *critical;
-  f.expected = growth_rate(r);
-  const double until = std::log(1e3) / f.expected;  // from 1e-6 to 1e-3 rad, where it is linear to 1e-3
+  const double expected = growth_rate(r);
+  const double until = std::log(1e3) / expected;  // from 1e-6 to 1e-3 rad, where it is linear to 1e-3
   const auto mode = dominating_mode(disturbed_motion(r, until, kPoints), kLast);
-  f.value = mode ? mode->real() : std::nan("");
-  f.unit = "1/s";
-  f.comparison = Comparison::equal;
-  f.high = 0.01 * f.expected;
-  f.oracle = Oracle::independent;
-  f.parameter = "1 % above the critical angle";
-  f.reason = "modes that do not grow are 1e-2 of the growing one by then, and are fitted with it";
-  return judged(f);
+  return f.measured(mode ? mode->real() : std::nan(""), "1 % above the critical angle")
+      .in("1/s")
+      .equal(expected, 0.01 * expected,
+             "modes that do not grow are 1e-2 of the growing one by then, and are fitted with it")
+      .by(Oracle::independent);
 }
 
-Finding rest_below(const Entry& entry, Kind, Finding f) {
+Finding rest_below(const Entry& entry, Kind, Draft f) {
   MotionRequest r = request_of(entry);
   const auto critical = flutter_angle(r);
-  if (!critical) return none(f);
+  if (!critical) return f.left_out(kNone);
   r.angle = 0.99 * *critical;
   const auto history = disturbed_motion(r, 20, kPoints);
   Measurement worst;
   for (const auto& theta : history.theta) worst.include(theta.norm(), "1 % below the critical angle, 20 s");
-  f.value = history.finished ? worst.value : std::nan("");
-  f.parameter = worst.where;
-  f.unit = "rad";
-  f.high = 2e-5;
-  f.oracle = Oracle::independent;
-  f.reason =
-      "nearly parallel modes raise 1e-6 rad by 1/sqrt(distance from the meeting), about 10; the growth "
-      "rate of 1 % above would raise it by 1e10";
-  return judged(f);
+  if (!history.finished) worst.include(std::nan(""), "the motion ends before 20 s");
+  return f.measured(worst)
+      .in("rad")
+      .at_most(
+          2e-5,
+          "nearly parallel modes raise 1e-6 rad by 1/sqrt(distance from the meeting), about 10; the growth "
+          "rate of 1 % above would raise it by 1e10")
+      .by(Oracle::independent);
 }
 
 }  // namespace

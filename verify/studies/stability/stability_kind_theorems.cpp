@@ -19,44 +19,42 @@ JointSpec block(const Entry& entry) {
   return spec;
 }
 
+/// What was counted, by name.
+struct Listed {
+  int count = 0;
+  std::string which;
+  void add(const std::string& what) { which += (count++ > 0 ? ", " : "") + what; }
+};
+
 double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
 
 /// Loads with a potential under a fixed and under a follower moment have transposed tangents, S -+ [m]/2:
 /// the same critical loads, for every body.
-Finding fixed_is_follower(const Entry& entry, Kind kind, Finding f) {
+Finding fixed_is_follower(const Entry& entry, Kind kind, Draft f) {
   const auto same = [](const std::optional<Critical>& a, const std::optional<Critical>& b) {
     return a && b ? relative(a->load, b->load) <= 1e-38 : !a && !b;  // both located to 40 digits
   };
+  Listed different;
   for (int axis = 0; axis < 3; ++axis) {
     const PrimaryPath path(entry, block(entry), axis);
     for (const BodyInertia* body : {&kRound, &kLong}) {
       const auto fixed = path.critical(kFixed, *body), follower = path.critical(kFollower, *body);
       if (same(fixed.divergence, follower.divergence) && same(fixed.flutter, follower.flutter)) continue;
-      f.value += 1;
-      f.parameter +=
-          (f.parameter.empty() ? "axis " : ", axis ") + std::to_string(axis + 1) + " (" + body->name + ")";
+      different.add("axis " + std::to_string(axis + 1) + " (" + body->name + ")");
     }
   }
-  f.unit = "of 6 paths differ";
-  f.oracle = Oracle::closed_form;
-  f.reason = "transposed matrices have the same eigenvalues; loads are compared to 38 of 40 digits";
-  if (!entry.has_potential(kind)) {
-    f.comparison = Comparison::report;
-    f.reason = "no potential: the two need not agree";
-  }
-  return judged(f);
+  f.measured(different.count, different.which).in("of 6 paths differ");
+  if (!entry.has_potential(kind)) return f.reported("no potential: the two need not agree");
+  return f.at_most(0, "transposed matrices have the same eigenvalues; loads are compared to 38 of 40 digits")
+      .by(Oracle::closed_form);
 }
 
 /// Loads with a potential under a fixed moment, body of three equal inertias: the lateral tangent is S -
 /// [m]/2, which has complex eigenvalues where |m| exceeds the difference of those of S. Held at the flutter
 /// found.
-Finding flutter_condition(const Entry& entry, Kind kind, Finding f) {
-  if (!entry.has_potential(kind)) {
-    f.verdict = Verdict::left_out;
-    f.reason = "the condition holds for loads that have a potential";
-    return f;
-  }
-  Measurement worst{0, "no axis has flutter"};
+Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
+  if (!entry.has_potential(kind)) return f.left_out("the condition holds for loads that have a potential");
+  Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
     const auto c = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
     if (!c.flutter) continue;
@@ -66,37 +64,28 @@ Finding flutter_condition(const Entry& entry, Kind kind, Finding f) {
     const Real50 gap2 = gap * gap + Real50(4) * half * half;
     worst.include(relative(gap2, p.load * p.load), "axis " + std::to_string(axis + 1));
   }
-  f.value = worst.value;
-  f.parameter = worst.where;
-  f.unit = "relative";
-  f.high = 1e-38;
-  f.oracle = Oracle::closed_form;
-  f.reason = "located to 40 digits";
-  return judged(f);
+  if (worst.is_empty())
+    return f.left_out("no flutter under a fixed moment about any axis of the block of C3");
+  return f.measured(worst).in("relative").at_most(1e-38, "located to 40 digits").by(Oracle::closed_form);
 }
 
 /// Flutter needs a tangent that is not symmetric: none under dead forces for loads with a potential.
-Finding flutter_under_couples(const Entry& entry, Kind kind, Finding f) {
+Finding flutter_under_couples(const Entry& entry, Kind kind, Draft f) {
+  Listed flutter;
   for (int axis = 0; axis < 3; ++axis) {
     const PrimaryPath path(entry, block(entry), axis);
     for (const MomentSetting& setting : kMomentSettings) {
       if (!moment_potential<double>({setting.type, axis, 0}, 1, Mat3<double>::Identity())) continue;
       for (const BodyInertia* body : {&kRound, &kLong}) {
         if (!path.critical(setting, *body).flutter) continue;
-        f.value += 1;
-        f.parameter += std::string(f.parameter.empty() ? "" : ", ") + to_string(setting) + " about " +
-                       std::to_string(axis + 1) + " (" + body->name + ")";
+        flutter.add(std::string(to_string(setting)) + " about " + std::to_string(axis + 1) + " (" +
+                    body->name + ")");
       }
     }
   }
-  f.unit = "of 18 paths";
-  f.oracle = Oracle::closed_form;
-  f.reason = "a symmetric tangent has real eigenvalues";
-  if (!entry.has_potential(kind)) {
-    f.comparison = Comparison::report;
-    f.reason = "no potential: the joint itself can feed the motion";
-  }
-  return judged(f);
+  f.measured(flutter.count, flutter.which).in("of 18 paths");
+  if (!entry.has_potential(kind)) return f.reported("no potential: the joint itself can feed the motion");
+  return f.at_most(0, "a symmetric tangent has real eigenvalues").by(Oracle::closed_form);
 }
 
 Finding flutter_angle(const std::string& formulation, const MomentSetting& setting, int axis,
@@ -106,18 +95,14 @@ Finding flutter_angle(const std::string& formulation, const MomentSetting& setti
   spec.law = LinearSpec{stiffness.asDiagonal(), false};
   const auto found = PrimaryPath(entry, spec, axis).critical(setting, kRound).flutter;
   const double p = stiffness[(axis + 1) % 3], q = stiffness[(axis + 2) % 3];
-  Finding f;
-  f.name = "stability_kind/closed_form/" + formulation + "/" + name;
-  f.formulation = formulation;
-  f.subject = "stability_kind";
-  f.comparison = Comparison::equal;
-  f.oracle = Oracle::closed_form;
-  f.unit = "rad";
-  f.expected = 2 * std::atan(std::abs(p - q) / (2 * std::sqrt(p * q)));
-  f.value = found ? double(found->angle) : std::nan("");
-  f.high = 1e-15;
-  f.reason = "tan(phi/2) = |p - q| / (2 sqrt(p q)) with the lateral stiffnesses p, q; a few eps of the angle";
-  return judged(f);
+  return finding("stability_kind/closed_form/" + formulation + "/" + name)
+      .of(formulation)
+      .about("stability_kind")
+      .measured(found ? double(found->angle) : std::nan(""))
+      .in("rad")
+      .equal(2 * std::atan(std::abs(p - q) / (2 * std::sqrt(p * q))), 1e-15,
+             "tan(phi/2) = |p - q| / (2 sqrt(p q)) with the lateral stiffnesses p, q; a few eps of the angle")
+      .by(Oracle::closed_form);
 }
 
 /// The stress that is constant in a node's axes, m = K theta: the lateral tangent is

@@ -1,0 +1,30 @@
+# Seeds one forgetful fold at a time into an otherwise good tree: folds.cmake must name each.
+#   cmake -DCHECK=.../folds.cmake -DWORK=... -P folds_catches.cmake
+cmake_minimum_required(VERSION 3.25)
+function(check_tree file line expected)
+  file(REMOVE_RECURSE "${WORK}")
+  file(WRITE "${WORK}/verify/good.cpp" "worst.include(error, at);  // not std::max(worst, error)\n")
+  file(APPEND "${WORK}/${file}" "${line}\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -DROOT=${WORK} -P "${CHECK}" RESULT_VARIABLE failed ERROR_VARIABLE said
+                  OUTPUT_QUIET)
+  if(expected STREQUAL "good" AND failed)
+    message(FATAL_ERROR "a good tree is refused:\n${said}")
+  elseif(expected STREQUAL "caught" AND NOT (failed AND said MATCHES "${file}"))
+    message(FATAL_ERROR "'${line}' in ${file} is not caught (exit ${failed}):\n${said}")
+  endif()
+endfunction()
+
+check_tree(verify/studies/a.cpp "keep_largest(worst, error)" good)
+check_tree(reports/cli/a.cpp "width = std::max(width, name.size())" good)
+check_tree(verify/studies/a.cpp "worst = std::max(worst, error)" caught)
+check_tree(verify/oracle/a.hpp "return std::max({a, b})" caught)
+check_tree(verify/studies/joints/a.cpp "(x - y).cwiseAbs().maxCoeff()" caught)
+check_tree(bench/harness/a.cpp "std::fmax(worst, error)" caught)
+check_tree(bench/questions/a.cpp "difference.lpNorm<Eigen::Infinity>()" caught)
+check_tree(reports/views/a.cpp "*std::ranges::max_element(errors)" caught)
+check_tree(verify/studies/limits/other.cpp "std::max<std::size_t>(2, steps / 3)" caught)  # named in its own file alone
+file(REMOVE_RECURSE "${WORK}/verify" "${WORK}/bench" "${WORK}/reports")
+execute_process(COMMAND "${CMAKE_COMMAND}" -DROOT=${WORK} -P "${CHECK}" RESULT_VARIABLE failed ERROR_QUIET OUTPUT_QUIET)
+if(NOT failed)
+  message(FATAL_ERROR "an empty tree passes")
+endif()
