@@ -19,7 +19,7 @@ const ORDER = [
   'rounding',
   'rounding_tangent'
 ];
-const kColumns = 12;
+const kColumns = 10;
 const isProperty = (name) => name !== 'modelling_error' && !name.startsWith('fe_'); // errors have tables of their own
 
 const property = (finding) => finding.name.slice(`${finding.formulation}/${finding.kind}/`.length);

@@ -23,12 +23,13 @@ const NOTE =
   'Per scene and tolerance: the cheapest formulation, precision and method whose measured error stays below it. ' +
   'All times here include the tangent, which a solver needs: kernel or transcription, as said. ' +
   'The truth of a scene is one of the formulations at 50 digits, named in its row; where that formulation itself ' +
-  'is the choice (†) the error says nothing about modelling, and a body’s own truth is under “Who is right?”. ' +
+  'is the choice (†) the error is that of its arithmetic and says nothing about modelling; ' +
+  'a body’s own truth is under “Who is right?”. ' +
   'Margin: tolerance over error. Cost: relative to the most exact one of the scene. ' +
   'Saved: what the scene does not need and is not computed.';
 
 /** Said in the cell of a choice that cannot lose. */
-const OWN = '† the truth’s own form: rounding, no modelling error';
+const OWN = '† the truth’s own form: no modelling error';
 
 /** Cost, flops, and what is not computed as a share of the whole. */
 function cost(c) {

@@ -20,14 +20,12 @@ const bucklingParts = (results) => [
     id: 'buckling',
     title: 'Buckling loads (4.1.2)',
     charts: ['buckling'],
-    half: true,
     build: () => bucklingFigure(results)
   },
   {
     id: 'paths',
     title: 'Paths through buckling',
     charts: ['paths'],
-    half: true,
     build: () => pathsFigure(results)
   },
   {
