@@ -98,8 +98,10 @@ std::vector<FormulationInfo> formulation_infos() {
 
 std::vector<SceneInfo> scene_infos(const std::vector<reference::Scene>& scenes) {
   std::vector<SceneInfo> infos;
-  for (const auto& scene : scenes)
-    infos.push_back({scene.name, scene.title, scene.description, scene.source});
+  for (const auto& scene : scenes) {
+    const auto [title, unit] = load_of(scene);
+    infos.push_back({scene.name, scene.title, scene.description, scene.source, title, unit});
+  }
   return infos;
 }
 
@@ -118,6 +120,7 @@ void to_json(nlohmann::json& json, const SceneInfo& scene) {
           {"title", scene.title},
           {"description", scene.description},
           {"source", scene.source}};
+  if (!scene.load_title.empty()) json["load"] = {{"title", scene.load_title}, {"unit", scene.load_unit}};
 }
 
 void to_json(nlohmann::json& json, const Results& results) {

@@ -39,6 +39,7 @@ struct SceneInfo {
   std::string title;
   std::string description;
   std::string source;
+  std::string load_title, load_unit;  ///< what the load factor counts; empty where it is a mere number
 };
 
 struct Results {
