@@ -1,5 +1,8 @@
 #include "reports/views/results.hpp"
 
+#include <cmath>
+#include <utility>
+
 namespace halfway {
 
 static void to_json(nlohmann::json& json, const Band& band) {
