@@ -2,9 +2,10 @@
 #include "reference/face/registry.hpp"
 #include "reference/scene/scene.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/streams.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -14,10 +15,11 @@ namespace {
 void list_formulations() {
   std::size_t width = 0;
   for (const auto& entry : reference::formulations()) width = std::max(width, entry.name.size());
-  fmt::print("Formulations (each for the kinds angular, linear, linear_angular):\n");
+  print("Formulations (each for the kinds angular, linear, linear_angular):\n");
   for (const auto& entry : reference::formulations()) {
-    fmt::print("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for, entry.needs_xi ? "; needs xi" : "",
-               entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : "");
+    print(fmt::format("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for,
+                      entry.needs_xi ? "; needs xi" : "",
+                      entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : ""));
   }
 }
 
@@ -25,8 +27,9 @@ void list_scenes() {
   const auto scenes = reference::canonical_scenes();
   std::size_t width = 0;
   for (const auto& scene : scenes) width = std::max(width, scene.name.size());
-  fmt::print("\nScenes (in {}):\n", reference::scenes_folder().string());
-  for (const auto& scene : scenes) fmt::print("  {:<{}}  {}\n", scene.name, width, scene.title);
+  print(fmt::format("\nScenes (in {}):\n", printable(reference::scenes_folder().string())));
+  for (const auto& scene : scenes)
+    print(fmt::format("  {:<{}}  {}\n", scene.name, width, printable(scene.title)));
 }
 
 }  // namespace

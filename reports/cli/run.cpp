@@ -1,18 +1,18 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
+#include "reference/scene/names.hpp"
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/run_chart.hpp"
 #include "reports/cli/run_choices.hpp"
 #include "reports/cli/run_files.hpp"
-#include "reports/eval/suggest.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace halfway::reports {
@@ -31,7 +31,7 @@ void check_formats(const std::vector<std::string>& formats) {
   const std::vector<std::string_view> allowed = {"csv", "json", "svg"};
   for (const std::string& format : formats) {
     if (std::ranges::find(allowed, format) == allowed.end())
-      throw BadInput(unknown_name("format", format, allowed));
+      throw BadInput(reference::unknown_name("format", format, allowed));
   }
 }
 
@@ -50,24 +50,24 @@ std::vector<reference::Curve> solve_all(const RunOptions& options, const referen
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
     curves.push_back(solve(options, scene, choice));
-    fmt::print(stderr, "[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
-               curves.back().outcome);
+    tell(fmt::format("[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
+                     curves.back().outcome));
   }
   return curves;
 }
 
 void write_curves(const RunOptions& options, const reference::Scene& scene,
-                  const std::vector<reference::Curve>& curves) {
+                  const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
   const auto folder = std::filesystem::path(options.folder) / scene.name;
   const auto wants = [&](std::string_view format) {
     return options.formats.empty() || std::ranges::find(options.formats, format) != options.formats.end();
   };
   const auto write = [&](const char* name, const std::string& content) {
     write_file(folder / name, content);
-    fmt::print("wrote {}\n", (folder / name).string());
+    print("wrote " + printable((folder / name).string()) + "\n");
   };
   if (wants("csv")) write("curve.csv", curves_csv(curves));
-  if (wants("json")) write("curve.json", curves_json(scene, curves));
+  if (wants("json")) write("curve.json", curves_json(scene, curves, left_out));
   if (wants("svg")) write("curve.svg", curves_svg(scene, curves));
 }
 
@@ -75,11 +75,13 @@ void run(const RunOptions& options) {
   check_formats(options.formats);
   const reference::Scene scene = find_scene(options.scene);
   const auto choices = run_choices(scene, options.formulations, options.xis);
-  fmt::print("{}: {}\n", scene.name, scene.title);
-  std::fflush(stdout);  // before the progress on stderr
+  try_output((std::filesystem::path(options.folder) / scene.name).string());
+  print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");
+  for (const std::string& note : scene.notes) tell("halfway: note: " + printable(note) + "\n");
   const auto curves = solve_all(options, scene, choices);
-  fmt::print("{}", curves_table(curves));
-  write_curves(options, scene, curves);
+  const auto missing = options.formulations.empty() ? left_out(scene, choices) : std::vector<LeftOut>{};
+  print(curves_table(curves, missing));
+  write_curves(options, scene, curves, missing);
   if (std::ranges::none_of(curves, &reference::Curve::converged)) {
     throw FailedRun(
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
