@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace halfway::reports {
 namespace {
@@ -23,6 +24,12 @@ void list_formulations() {
   }
 }
 
+/// For who includes the library: name -> type -> header.
+void list_types() {
+  for (const auto& entry : reference::formulations())
+    print(fmt::format("{:<17} halfway::{:<17} <{}>\n", entry.name, entry.type, entry.header));
+}
+
 void list_scenes() {
   const auto scenes = reference::canonical_scenes();
   std::size_t width = 0;
@@ -36,7 +43,11 @@ void list_scenes() {
 
 void add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "List the formulations and the scenes");
-  command->callback([] {
+  const auto types = std::make_shared<bool>(false);
+  command->add_flag("--types", *types,
+                    "Of each formulation its name, its C++ type and the header to include");
+  command->callback([types] {
+    if (*types) return list_types();
     list_formulations();
     list_scenes();
   });

@@ -1,5 +1,6 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
 #include "reference/scene/names.hpp"
+#include "reference/solve/free_directions.hpp"
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
@@ -36,13 +37,27 @@ void check_formats(const std::vector<std::string>& formats) {
 }
 
 /// One path, its load factor live on a terminal.
-reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
-                       const reference::Choice& choice) {
+reference::Curve solve_stiff(const RunOptions& options, const reference::Scene& scene,
+                             const reference::Choice& choice) {
   if (options.by_arc) return reference::follow_by_arc(scene, choice);
   Progress live(curve_label(reference::empty_curve(scene, choice)), Progress::Elsewhere::silent);
   return reference::solve_scene(scene, choice, [&](int done, int total) {
     live(done, total, fmt::format("load factor {:g}", scene.factor_end * done / total));
   });
+}
+
+/// A joint with directions of no stiffness is held there, by one stiffness and by another: where no load
+/// works there, they make no difference.
+reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
+                       const reference::Choice& choice) {
+  const auto softly = reference::held(scene, 1), firmly = reference::held(scene, 8);
+  if (!softly) return solve_stiff(options, scene, choice);
+  reference::Curve curve = solve_stiff(options, *softly, choice);
+  if (curve.converged && !reference::agree(curve, solve_stiff(options, *firmly, choice))) {
+    curve.converged = false;
+    curve.outcome = "no equilibrium: once displaced, the load works on a direction without stiffness";
+  }
+  return curve;
 }
 
 std::vector<reference::Curve> solve_all(const RunOptions& options, const reference::Scene& scene,
@@ -74,6 +89,8 @@ void write_curves(const RunOptions& options, const reference::Scene& scene,
 void run(const RunOptions& options) {
   check_formats(options.formats);
   const reference::Scene scene = find_scene(options.scene);
+  if (const auto why = reference::works_on_free_direction(scene))
+    throw BadInput(fmt::format("{}: no equilibrium: {}", scene.name, *why));
   const auto choices = run_choices(scene, options.formulations, options.xis);
   try_output((std::filesystem::path(options.folder) / scene.name).string());
   print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");

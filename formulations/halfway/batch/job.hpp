@@ -2,7 +2,7 @@
 // give back: plain functions. No standard header.
 #pragma once
 
-#include "halfway/cpp20.hpp"
+#include "halfway/rotations/cpp20.hpp"
 
 namespace halfway::batch {
 

@@ -1,7 +1,7 @@
 // Scalars, small matrices and the skew operator shared by every header of the library.
 #pragma once
 
-#include "halfway/cpp20.hpp"
+#include "halfway/rotations/cpp20.hpp"
 
 #include <Eigen/Geometry>
 

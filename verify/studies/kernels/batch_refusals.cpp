@@ -103,7 +103,7 @@ Finding refusals() {
 }  // namespace
 
 void batch_refusals(Checks& checks) {
-  checks.push_back({"batch/refusals", "batch", [] { return std::vector{refusals()}; }});
+  checks.push_back({"batch/refusals", "kernels", [] { return std::vector{refusals()}; }});
 }
 
 }  // namespace halfway::verify
