@@ -1,5 +1,6 @@
 // One joint through both doors: what a request says and what a scene says is taken or refused alike, in the
 // same words.
+#include "reference/record/worst.hpp"
 #include "reference/scene/scene.hpp"
 #include "reports/eval/eval_parse.hpp"
 #include "reports/eval/eval_request.hpp"
@@ -135,8 +136,8 @@ BOOST_AUTO_TEST_CASE(one_joint) {
         BOOST_TEST(request.notes.size() == std::size_t(c.notes));
         BOOST_TEST(scene.notes.size() == std::size_t(c.notes));
         for (const auto* end : {&request.spec.a, &request.spec.b})
-          BOOST_TEST((end->H * end->H.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <=
-                     1e-15);
+          BOOST_TEST(reference::largest_entry<double>(end->H * end->H.transpose() -
+                                                      Eigen::Matrix3d::Identity()) <= 1e-15);
       } else {
         BOOST_TEST(request.refusal.find(c.refused) != std::string::npos, request.refusal);
         BOOST_TEST(scene.refusal.find(c.refused) != std::string::npos, scene.refusal);

@@ -87,15 +87,12 @@ class Mutator {
 };
 
 Finding judged_count(const std::string& name, int count, const std::string& worst, const std::string& why) {
-  Finding f;
-  f.name = name;
-  f.subject = "scenes";
-  f.parameter = worst;
-  f.value = count;
-  f.unit = "files";
-  f.oracle = Oracle::closed_form;
-  f.reason = why;
-  return judged(f);
+  return finding(name)
+      .about("scenes")
+      .measured(count, worst)
+      .in("files")
+      .at_most(0, why)
+      .by(Oracle::closed_form);
 }
 
 /// How a file was answered that is neither read nor refused as it should be; empty: well.
