@@ -95,7 +95,7 @@ std::optional<std::string> works_on_free_direction(const Scene& scene) {
   for (Eigen::Index i = 0; i < free.cols(); ++i) {
     const double work = std::abs(load.dot(free.col(i)));
     if (work <= kNothing * load.cwiseAbs().cwiseProduct(scale).sum()) continue;
-    const Eigen::VectorXd n = free.col(i) / free.col(i).cwiseAbs().maxCoeff();
+    const Eigen::VectorXd n = (free.col(i) / free.col(i).cwiseAbs().maxCoeff()).array() + 0.0;  // no -0
     return fmt::format(
         "the load works on a direction without stiffness, ({:.3g}) in the joint's strains: nothing "
         "balances it there",

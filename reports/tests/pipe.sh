@@ -53,7 +53,7 @@ done
 # Streams that take nothing: exit 1, whatever was lost; nothing crashes.
 printf '%s\n' 'title = "a \u001b[31m b"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "linear"' 'K = [1, 2, 3]' \
   '[[load]]' 'type = "fixed_moment"' 'value = [0, 0, 1]' '[path]' 'factor_end = 1' > "$folder/scene.toml"
-run="run $folder/scene.toml --formulation invariant --format svg --out $folder/out"
+run="run $folder/scene.toml --formulation invariant --format svg --out $folder/results"
 for arguments in list --help --version "$run"; do
   # shellcheck disable=SC2086
   "$program" $arguments > /dev/full 2> /dev/null
@@ -75,7 +75,7 @@ printf '%s\n' "$valid" | "$program" eval > /dev/full 2> /dev/null
 # shellcheck disable=SC2086
 "$program" $run > "$folder/out.txt" 2>&1 || fail "run exits with $?"
 escape=$(printf '\033')
-grep -q "$escape" "$folder/out.txt" "$folder/out/scene/curve.svg" && fail "a control character came through"
+grep -q "$escape" "$folder/out.txt" "$folder/results/scene/curve.svg" && fail "a control character came through"
 grep -q 'a .u001b' "$folder/out.txt" || fail "a control character is not shown"
 
 # An output folder that is a file: refused before the work, nothing printed.
@@ -91,6 +91,6 @@ cp "$folder/scene.toml" "$folder/...toml"
 
 # A hinge: solved where no load works on it, refused by name where one does.
 sed -e 's/K = .*/K = [0, 2, 3]/' "$folder/scene.toml" > "$folder/hinge.toml"
-"$program" run "$folder/hinge.toml" --formulation conformal --out "$folder/out" 2>&1 | grep -q ' converged' || fail "hinge"
+"$program" run "$folder/hinge.toml" --formulation conformal --out "$folder/results" 2>&1 | grep -q ' converged' || fail "hinge"
 sed -e 's/K = .*/K = [1, 2, 0]/' "$folder/scene.toml" > "$folder/free.toml"
-"$program" run "$folder/free.toml" --out "$folder/out" 2>&1 | grep -q 'direction without stiffness' || fail "free hinge"
+"$program" run "$folder/free.toml" --out "$folder/results" 2>&1 | grep -q 'direction without stiffness' || fail "free hinge"
