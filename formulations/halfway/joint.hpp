@@ -9,13 +9,18 @@ namespace halfway {
 /// linear and has 3x3 tangent blocks.
 template <Kind kind, class T, class Formulation, class LawT>
 struct Joint {
-  Formulation formulation;
+  static_assert(
+      Law<LawT, T, strain_count(kind)>,
+      "the law of a joint takes 3 strains (angular, linear) or 6 (linear_angular) in the joint's scalar, "
+      "and returns LawResponse<T, N>{stress, stiffness}");
+  Formulation formulation{};
   LawT law;
   JointEnd<T> a{};
   JointEnd<T> b{};
 };
 
-/// Moment on node b, global axes, N m (node a has the opposite), and its derivatives by the spins.
+/// Moment on node b, global axes, N m (node a has the opposite), and its derivatives by the spins. Internal
+/// loads, as NodeLoads.
 template <class T>
 struct AngularLoads {
   Vec3<T> m_b;
@@ -23,8 +28,8 @@ struct AngularLoads {
 };
 
 /// Loads (f_a, m_a, f_b, m_b), global axes, moments about the nodes; and their derivative by
-/// (dx_a, w_a, dx_b, w_b), spins in global axes. Conjugate to strain power: (f_b, m_b) balances
-/// what is applied to node b.
+/// (dx_a, w_a, dx_b, w_b), spins in global axes. Signs: q = dU/dx, internal loads: what has to be applied to
+/// the nodes to hold them there. Add -q to your equations of motion.
 template <class T>
 struct NodeLoads {
   Eigen::Matrix<T, 12, 1> q;
@@ -136,6 +141,20 @@ requires(kind != Kind::angular) NodeLoads<T> loads(const Joint<kind, T, F, L>& j
   const RelativeMotion<T> m = motion_of(joint, a, b);
   const PointResponse<T> r = joint.formulation.template point<kind, with_tangent>(m, joint.law);
   return at_nodes<with_tangent>(r, m, joint.a, joint.b, a, b);
+}
+
+// What is wrong with a call, in one sentence.
+
+template <Kind kind, class T, class F, class L>
+void loads(const Joint<kind, T, F, L>&, const Pose<T>&, const Pose<T>&) {
+  static_assert(kind != kind,
+                "say loads<true>(joint, a, b) for loads and tangent, loads<false> for loads alone");
+}
+
+template <bool with_tangent, Kind kind, class T, class F, class L, class A, class B>
+requires(!std::same_as<A, T> || !std::same_as<B, T>) void loads(const Joint<kind, T, F, L>&, const Pose<A>&,
+                                                                const Pose<B>&) {
+  static_assert(kind != kind, "joint and poses have one scalar: a joint in float takes poses in float");
 }
 
 }  // namespace halfway

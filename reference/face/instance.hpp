@@ -1,6 +1,7 @@
 // Makes the registry entry of one formulation; included only by the generated units.
 #pragma once
 
+#include "halfway/joint/formulation.hpp"
 #include "reference/face/instantiations.hpp"
 #include "reference/face/kernel_instance.hpp"
 
@@ -61,9 +62,12 @@ Evaluators<T> evaluators() {
 }
 
 template <class F>
-Entry make_entry(bool wide) {
+Entry make_entry(std::string_view type, std::string_view header, bool wide) {
+  check_formulation<F>();
   Entry entry{F::name,
               F::stands_for,
+              type,
+              header,
               F::facts,
               false,
               0.5,

@@ -25,6 +25,8 @@ struct Evaluators {
 struct Entry {
   std::string_view name;
   std::string_view stands_for;
+  std::string_view type;    ///< in C++, below namespace halfway
+  std::string_view header;  ///< to be included for it
   Facts facts;
   bool needs_xi;                 ///< true for the form with a free xi
   double probe_xi;               ///< the xi at which verify and bench probe it

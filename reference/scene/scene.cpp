@@ -1,10 +1,9 @@
 #include "reference/scene/scene.hpp"
 
-#include "reference/solve/solve.hpp"
-
-#include "reference/face/registry.hpp"
-#include "reference/scene/scene_joint.hpp"
+#include "reference/scene/names.hpp"
+#include "reference/scene/read_joint.hpp"
 #include "reference/scene/scene_references.hpp"
+#include "reference/scene/toml_tree.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +17,7 @@ constexpr int kMostPoints = 100000;
 
 SceneLoad read_load(const Field& load, Kind kind) {
   load.has_only({"type", "value", "point"});
-  const std::vector<std::string> types = {"fixed_moment", "follower_moment", "fixed_force"};
+  const Names types = {"fixed_moment", "follower_moment", "fixed_force"};
   const Field type = load.at("type", "fixed_moment, follower_moment, fixed_force");
   const std::string name = type.one_of(types);
   SceneLoad out;
@@ -62,7 +61,7 @@ void read_path(const Field& path, Scene& scene) {
 void read_wanted(const Field& file, Scene& scene) {
   scene.outputs = outputs_of(scene.joint.kind);
   if (const auto outputs = file.find("outputs")) {
-    scene.outputs = outputs->distinct(scene.outputs);
+    scene.outputs = outputs->distinct({scene.outputs.begin(), scene.outputs.end()});
     if (scene.outputs.empty()) outputs->refuse("is empty", "at least one output");
   }
   if (const auto xis = file.find("xis")) {
@@ -71,8 +70,8 @@ void read_wanted(const Field& file, Scene& scene) {
   }
   const auto names = file.find("formulations");
   if (!names) return;
-  auto allowed = formulation_names();
-  allowed.emplace_back(kLinearized);
+  Names allowed = formulation_names();
+  allowed.push_back(kLinearized);
   scene.formulations = names->distinct(allowed);
   if (scene.formulations.empty())
     names->refuse("is empty", "at least one name, or no such key for all formulations");
@@ -86,31 +85,33 @@ void read_wanted(const Field& file, Scene& scene) {
   }
 }
 
-}  // namespace
-
-bool is_critical(const std::string& output) {
-  return output == "critical_moment" || output == "critical_angle";
+/// The file's name without extension; all of it where that is a folder's name: "...toml" is no "..".
+std::string name_of(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  return stem.find_first_not_of('.') == std::string::npos ? file.filename().string() : stem;
 }
 
-Scene read_scene(const std::filesystem::path& path) {
-  const TomlNode tree = read_toml(path);
-  const std::string name = path.string();
-  const Field file(tree, "", name);
+Scene scene_of(Document& document, const std::filesystem::path& path) {
+  const Field file(document);
   file.has_only({"title", "description", "source", "outputs", "formulations", "xis", "joint", "load", "path",
                  "reference"});
   Scene scene;
-  scene.name = path.stem().string();
+  scene.name = name_of(path);
   scene.title = file.at("title", "one line of text").text();
   scene.description = file.text_or("description");
   scene.source = file.text_or("source");
-  scene.joint = read_joint(file.at("joint", "a table [joint]"));
+  const Field joint = file.at("joint", "a table [joint]");
+  joint.has_only(kJointKeys);
+  for (const char* node : {"a", "b"}) {
+    if (const auto end = joint.find(node)) end->has_only({"o", "h"});
+  }
+  scene.joint = read_joint(joint);
   const Field loads = file.at("load", "at least one table [[load]]");
   for (const Field& load : loads.items("tables [[load]]")) {
     scene.loads.push_back(read_load(load, scene.joint.kind));
     const auto is_force = [](const SceneLoad& l) { return l.type == LoadType::fixed_force; };
     if (std::count_if(scene.loads.begin(), scene.loads.end(), is_force) < 2) continue;
-    load.at("type", "")
-        .refuse("is the second force", "one fixed_force; a sum at one point and a moment say the same");
+    load.at("type", "").refuse("is the second force", "one fixed_force");
   }
   if (scene.loads.empty()) loads.refuse("is empty", "at least one table [[load]]");
   read_path(file.at("path", "a table [path]"), scene);
@@ -122,6 +123,24 @@ Scene read_scene(const std::filesystem::path& path) {
     }
   }
   return scene;
+}
+
+}  // namespace
+
+bool is_critical(const std::string& output) {
+  return output == "critical_moment" || output == "critical_angle";
+}
+
+Scene read_scene(const std::filesystem::path& path) {
+  Document document;
+  try {
+    document.root = read_toml(path);
+    Scene scene = scene_of(document, path);
+    scene.notes = std::move(document.notes);
+    return scene;
+  } catch (const Refusal& refusal) {
+    throw SceneError(fmt::format("{}:{}: {}", path.string(), refusal.line, refusal.what()));
+  }
 }
 
 std::filesystem::path scenes_folder() {

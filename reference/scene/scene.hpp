@@ -61,6 +61,7 @@ struct Scene {
   std::vector<std::string> formulations;  ///< which to solve, in the order of the file; empty: all
   std::vector<double> xis;                ///< at which a formulation with a free xi is solved
   std::vector<SceneReference> references;
+  std::vector<std::string> notes;  ///< what the file says otherwise than it was taken: a frame normalised
 };
 
 /// Reads and checks one scene; the format is described in reference/scenes/README.md. Throws SceneError.

@@ -1,6 +1,6 @@
 #include "reference/scene/scene_references.hpp"
 
-#include "reference/face/registry.hpp"
+#include "reference/scene/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +16,7 @@ constexpr Oracle kOracles[] = {Oracle::closed_form, Oracle::fifty_digits, Oracle
                                Oracle::printed, Oracle::other_program};
 
 Oracle read_oracle(const Field& field) {
-  std::vector<std::string> names;
+  Names names;
   for (const Oracle oracle : kOracles) names.emplace_back(to_string(oracle));
   const std::string name = field.one_of(names);
   return kOracles[std::find(names.begin(), names.end(), name) - names.begin()];
@@ -90,8 +90,9 @@ double read_xi(const Field& set, const Scene& scene) {
 void check_formulation(const Field& entry, const std::string& name, const Field& set, const Scene& scene) {
   const Entry* formulation = find_formulation(name);
   if (!formulation) {
-    entry.refuse("is of no formulation of the catalog",
-                 fmt::format("{}", fmt::join(formulation_names(), ", ")));
+    const auto names = formulation_names();
+    entry.refuse("is of no formulation of the catalog" + did_you_mean(name, names),
+                 fmt::format("{}", fmt::join(names, ", ")), "unknown_formulation");
   }
   const auto& solved = scene.formulations;
   if (!solved.empty() && std::find(solved.begin(), solved.end(), name) == solved.end()) {
@@ -137,12 +138,6 @@ SceneReference read_value(const Field& field, const std::string& output, const S
 }
 
 }  // namespace
-
-std::vector<std::string> formulation_names() {
-  std::vector<std::string> names;
-  for (const Entry& entry : formulations()) names.emplace_back(entry.name);
-  return names;
-}
 
 std::vector<SceneReference> read_reference_set(const Field& set, const Scene& scene) {
   set.has_only({"source", "oracle", "tolerance", "absolute", "reason", "factor", "xi", "values"});

@@ -1,6 +1,7 @@
 #include "reference/scene/toml_tree.hpp"
 
 #include "reference/scene/scene.hpp"
+#include "reference/scene/toml_depth.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(condition) static_cast<void>(0)
+#define TOML_MAX_NESTED_VALUES 32  // kDeepestNesting
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
@@ -24,44 +26,26 @@ namespace halfway::reference {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 20;
-constexpr std::size_t kLongestShown = 60;
-
-std::string shortened(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() <= kLongestShown) return text;
-  std::size_t end = kLongestShown;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole UTF-8 characters
-  return text.substr(0, end) + "...";
-}
-
 /// As a person would type it: 0.1, not 0.10000000000000001.
-std::string shown(const toml::node& node, const TomlNode& read) {
-  using Type = TomlNode::Type;
+std::string written(const toml::node& node) {
   std::ostringstream date;
-  switch (read.type) {
-    case Type::table:
-      return "a table";
-    case Type::number:
-      return read.is_integer ? fmt::format("{}", *node.value<int64_t>()) : fmt::format("{}", read.number);
-    case Type::boolean:
-      return read.boolean ? "true" : "false";
-    case Type::text:
-      return shortened("\"" + read.text + "\"");
-    case Type::array:
-      break;
-    case Type::date:
-      node.visit([&](const auto& value) { date << value; });
-      return date.str();
-  }
-  std::string list;
-  for (const TomlNode& item : read.items) list += (list.empty() ? "" : ", ") + item.shown;
-  return shortened("[" + list + "]");
+  if (const auto integer = node.value_exact<int64_t>()) return fmt::format("{}", *integer);
+  if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
+  node.visit([&](const auto& value) { date << value; });
+  return date.str();
 }
 
-TomlNode tree(const toml::node& node);
+[[noreturn]] void refuse_depth(int line) {
+  throw Refusal(
+      "too_deep",
+      fmt::format("this line: is nested deeper than {0} levels; allowed: up to {0}", kDeepestNesting), "",
+      line);
+}
+
+DocumentNode tree(const toml::node& node, int depth);
 
 /// toml++ orders keys by name; messages and reports want the order of the file.
-void add_entries(const toml::table& table, TomlNode& out) {
+void add_entries(const toml::table& table, int depth, DocumentNode& out) {
   using Entry = std::pair<std::string, const toml::node*>;
   std::vector<Entry> entries;
   for (const auto& [key, value] : table) entries.emplace_back(std::string(key.str()), &value);
@@ -71,19 +55,20 @@ void add_entries(const toml::table& table, TomlNode& out) {
   });
   for (const auto& [key, value] : entries) {
     out.keys.push_back(key);
-    out.items.push_back(tree(*value));
+    out.items.push_back(tree(*value, depth + 1));
   }
 }
 
-TomlNode tree(const toml::node& node) {
-  using Type = TomlNode::Type;
-  TomlNode out;
+DocumentNode tree(const toml::node& node, int depth) {
+  using Type = DocumentNode::Type;
+  DocumentNode out;
   out.line = std::max<int>(1, int(node.source().begin.line));
+  if (depth > kDeepestNesting) refuse_depth(out.line);
   if (const auto* table = node.as_table()) {
-    add_entries(*table, out);
+    add_entries(*table, depth, out);
   } else if (const auto* array = node.as_array()) {
     out.type = Type::array;
-    for (const auto& item : *array) out.items.push_back(tree(item));
+    for (const auto& item : *array) out.items.push_back(tree(item, depth + 1));
   } else if (const auto text = node.value_exact<std::string>()) {
     out.type = Type::text;
     out.text = *text;
@@ -91,13 +76,14 @@ TomlNode tree(const toml::node& node) {
     out.type = Type::number;
     out.number = *node.value<double>();
     out.is_integer = node.is_integer();
+    out.text = written(node);
   } else if (const auto boolean = node.value_exact<bool>()) {
     out.type = Type::boolean;
     out.boolean = *boolean;
   } else {
     out.type = Type::date;
+    out.text = written(node);
   }
-  out.shown = shown(node, out);
   return out;
 }
 
@@ -131,10 +117,11 @@ std::string line_of(const std::string& text, std::size_t number) {
 
 }  // namespace
 
-TomlNode read_toml(const std::filesystem::path& file) {
+DocumentNode read_toml(const std::filesystem::path& file) {
   const std::string text = content(file);
+  if (const int line = line_of_deep_key(text)) refuse_depth(line);
   try {
-    return tree(toml::parse(text, file.string()));
+    return tree(toml::parse(text, file.string()), 1);
   } catch (const toml::parse_error& error) {
     const auto line = std::max<toml::source_index>(1, error.source().begin.line);
     throw SceneError(fmt::format("{}:{}: {}: is not TOML ({}); allowed: TOML 1.0", file.string(), line,

@@ -78,12 +78,6 @@ Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
   return curve;
 }
 
-bool accepts_law(const Entry& entry, const JointSpec& spec) {
-  const auto* linear = std::get_if<LinearSpec>(&spec.law);
-  if (!entry.block_diagonal_law_only || spec.kind != Kind::linear_angular || linear == nullptr) return true;
-  return linear->matrix.topRightCorner(3, 3).isZero(0) && linear->matrix.bottomLeftCorner(3, 3).isZero(0);
-}
-
 std::vector<Choice> choices(const Scene& scene) {
   std::vector<Choice> out;
   for (const Entry& entry : formulations()) {

@@ -1,7 +1,7 @@
 // Scenes solved: the curve of each formulation, with an honest outcome.
 #pragma once
 
-#include "reference/face/registry.hpp"
+#include "reference/scene/names.hpp"
 #include "reference/scene/scene.hpp"
 
 #include <functional>
@@ -23,9 +23,6 @@ struct Curve {
   double residual = 0;                    ///< at the last point, relative to the load
 };
 
-/// The purely linear analysis: it exists for scenes only and is no entry of the catalog.
-inline constexpr const char* kLinearized = "linearized";
-
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.
 struct Choice {
   const Entry* entry;
@@ -35,9 +32,6 @@ struct Choice {
 /// What a scene asks for, in the catalog's order, the linear analysis last; formulations that refuse
 /// the scene's law (accepts_law) are left out.
 std::vector<Choice> choices(const Scene& scene);
-
-/// Does the formulation take this law? drake_rpy refuses coupling of translation and rotation.
-bool accepts_law(const Entry& entry, const JointSpec& spec);
 
 /// Who is told of each point of a path as it is reached: (points reached, points asked for).
 using Told = std::function<void(int done, int total)>;

@@ -7,7 +7,7 @@ namespace halfway::reference {
 
 /// Rotation of node b under a fixed moment m to second order in m, node a clamped.
 /// From m = K theta + alpha theta x K theta + beta k* (t2 t3, t3 t1, t1 t2) with F = K^-1 diagonal,
-/// k* = k1 - k2 + k3: theta = F m - F (alpha (F m) x m + beta k* (..)). For cases.md C2:
+/// k* = k1 - k2 + k3: theta = F m - F (alpha (F m) x m + beta k* (..)). For the scene C2:
 /// theta_2 = alpha F2 (F1 - F3) m1 m3.
 template <class T>
 Vec3<T> second_order_rotation(const Vec3<T>& F, const Vec3<T>& m, const T& alpha, const T& beta) {

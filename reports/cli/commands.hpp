@@ -3,6 +3,8 @@
 
 #include "reports/cli/errors.hpp"
 
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -11,6 +13,9 @@ namespace halfway::reports {
 
 /// Those of this program: cli/commands.cpp of `halfway`, suite/commands.cpp of `halfway-suite`.
 void add_commands(CLI::App& app);
+
+/// Can results be written there? Asked before the work. Throws BadInput.
+void try_output(const std::string& folder);
 
 void add_list(CLI::App& app);
 void add_run(CLI::App& app);

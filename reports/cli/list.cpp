@@ -2,11 +2,13 @@
 #include "reference/face/registry.hpp"
 #include "reference/scene/scene.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/streams.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace halfway::reports {
 namespace {
@@ -14,26 +16,38 @@ namespace {
 void list_formulations() {
   std::size_t width = 0;
   for (const auto& entry : reference::formulations()) width = std::max(width, entry.name.size());
-  fmt::print("Formulations (each for the kinds angular, linear, linear_angular):\n");
+  print("Formulations (each for the kinds angular, linear, linear_angular):\n");
   for (const auto& entry : reference::formulations()) {
-    fmt::print("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for, entry.needs_xi ? "; needs xi" : "",
-               entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : "");
+    print(fmt::format("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for,
+                      entry.needs_xi ? "; needs xi" : "",
+                      entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : ""));
   }
+}
+
+/// For who includes the library: name -> type -> header.
+void list_types() {
+  for (const auto& entry : reference::formulations())
+    print(fmt::format("{:<17} halfway::{:<17} <{}>\n", entry.name, entry.type, entry.header));
 }
 
 void list_scenes() {
   const auto scenes = reference::canonical_scenes();
   std::size_t width = 0;
   for (const auto& scene : scenes) width = std::max(width, scene.name.size());
-  fmt::print("\nScenes (in {}):\n", reference::scenes_folder().string());
-  for (const auto& scene : scenes) fmt::print("  {:<{}}  {}\n", scene.name, width, scene.title);
+  print(fmt::format("\nScenes (in {}):\n", printable(reference::scenes_folder().string())));
+  for (const auto& scene : scenes)
+    print(fmt::format("  {:<{}}  {}\n", scene.name, width, printable(scene.title)));
 }
 
 }  // namespace
 
 void add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "List the formulations and the scenes");
-  command->callback([] {
+  const auto types = std::make_shared<bool>(false);
+  command->add_flag("--types", *types,
+                    "Of each formulation its name, its C++ type and the header to include");
+  command->callback([types] {
+    if (*types) return list_types();
     list_formulations();
     list_scenes();
   });

@@ -1,9 +1,9 @@
 #include "reports/cli/progress.hpp"
 
-#include <fmt/format.h>
+#include "reports/cli/streams.hpp"
+
 #include <unistd.h>
 
-#include <cstdio>
 #include <utility>
 
 namespace halfway::reports {
@@ -14,21 +14,20 @@ Progress::Progress(std::string stage, Elsewhere elsewhere)
       silent_(!terminal_ && elsewhere == Elsewhere::silent) {}
 
 Progress::~Progress() {
-  if (line_open_) fmt::print(stderr, "\n");
+  if (line_open_) tell("\n");
 }
 
 void Progress::operator()(int done, int total, const std::string& item) {
   if (silent_) return;
   const int tenth = total > 0 ? 10 * done / total : 10;
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{} {}/{} {}{}", stage_, done, total, item.substr(0, 60),
-               done == total ? "\n" : "");
+    tell(fmt::format("\r\033[K{} {}/{} {}{}", stage_, done, total, printable(item.substr(0, 60)),
+                     done == total ? "\n" : ""));
   } else if (tenth > last_tenth_) {
-    fmt::print(stderr, "{} {}/{}\n", stage_, done, total);
+    tell(fmt::format("{} {}/{}\n", stage_, done, total));
   }
   line_open_ = terminal_ && done != total;
   last_tenth_ = tenth;
-  std::fflush(stderr);
 }
 
 }  // namespace halfway::reports

@@ -1,18 +1,19 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
+#include "reference/scene/names.hpp"
+#include "reference/solve/free_directions.hpp"
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/run_chart.hpp"
 #include "reports/cli/run_choices.hpp"
 #include "reports/cli/run_files.hpp"
-#include "reports/eval/suggest.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace halfway::reports {
@@ -31,13 +32,13 @@ void check_formats(const std::vector<std::string>& formats) {
   const std::vector<std::string_view> allowed = {"csv", "json", "svg"};
   for (const std::string& format : formats) {
     if (std::ranges::find(allowed, format) == allowed.end())
-      throw BadInput(unknown_name("format", format, allowed));
+      throw BadInput(reference::unknown_name("format", format, allowed));
   }
 }
 
 /// One path, its load factor live on a terminal.
-reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
-                       const reference::Choice& choice) {
+reference::Curve solve_stiff(const RunOptions& options, const reference::Scene& scene,
+                             const reference::Choice& choice) {
   if (options.by_arc) return reference::follow_by_arc(scene, choice);
   Progress live(curve_label(reference::empty_curve(scene, choice)), Progress::Elsewhere::silent);
   return reference::solve_scene(scene, choice, [&](int done, int total) {
@@ -45,41 +46,59 @@ reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
   });
 }
 
+/// A joint with directions of no stiffness is held there, by one stiffness and by another: where no load
+/// works there, they make no difference.
+reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
+                       const reference::Choice& choice) {
+  const auto softly = reference::held(scene, 1), firmly = reference::held(scene, 8);
+  if (!softly) return solve_stiff(options, scene, choice);
+  reference::Curve curve = solve_stiff(options, *softly, choice);
+  if (curve.converged && !reference::agree(curve, solve_stiff(options, *firmly, choice))) {
+    curve.converged = false;
+    curve.outcome = "no equilibrium: once displaced, the load works on a direction without stiffness";
+  }
+  return curve;
+}
+
 std::vector<reference::Curve> solve_all(const RunOptions& options, const reference::Scene& scene,
                                         const std::vector<reference::Choice>& choices) {
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
     curves.push_back(solve(options, scene, choice));
-    fmt::print(stderr, "[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
-               curves.back().outcome);
+    tell(fmt::format("[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
+                     curves.back().outcome));
   }
   return curves;
 }
 
 void write_curves(const RunOptions& options, const reference::Scene& scene,
-                  const std::vector<reference::Curve>& curves) {
+                  const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
   const auto folder = std::filesystem::path(options.folder) / scene.name;
   const auto wants = [&](std::string_view format) {
     return options.formats.empty() || std::ranges::find(options.formats, format) != options.formats.end();
   };
   const auto write = [&](const char* name, const std::string& content) {
     write_file(folder / name, content);
-    fmt::print("wrote {}\n", (folder / name).string());
+    print("wrote " + printable((folder / name).string()) + "\n");
   };
   if (wants("csv")) write("curve.csv", curves_csv(curves));
-  if (wants("json")) write("curve.json", curves_json(scene, curves));
+  if (wants("json")) write("curve.json", curves_json(scene, curves, left_out));
   if (wants("svg")) write("curve.svg", curves_svg(scene, curves));
 }
 
 void run(const RunOptions& options) {
   check_formats(options.formats);
   const reference::Scene scene = find_scene(options.scene);
+  if (const auto why = reference::works_on_free_direction(scene))
+    throw BadInput(fmt::format("{}: no equilibrium: {}", scene.name, *why));
   const auto choices = run_choices(scene, options.formulations, options.xis);
-  fmt::print("{}: {}\n", scene.name, scene.title);
-  std::fflush(stdout);  // before the progress on stderr
+  try_output((std::filesystem::path(options.folder) / scene.name).string());
+  print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");
+  for (const std::string& note : scene.notes) tell("halfway: note: " + printable(note) + "\n");
   const auto curves = solve_all(options, scene, choices);
-  fmt::print("{}", curves_table(curves));
-  write_curves(options, scene, curves);
+  const auto missing = options.formulations.empty() ? left_out(scene, choices) : std::vector<LeftOut>{};
+  print(curves_table(curves, missing));
+  write_curves(options, scene, curves, missing);
   if (std::ranges::none_of(curves, &reference::Curve::converged)) {
     throw FailedRun(
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));

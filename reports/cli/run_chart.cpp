@@ -1,6 +1,7 @@
 #include "reports/cli/run_chart.hpp"
 
 #include "reports/cli/run_files.hpp"
+#include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
 
@@ -19,9 +20,10 @@ constexpr double kPanelWidth = 520, kPanelHeight = 200, kLeft = 84, kTop = 52, k
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 constexpr std::array kDashes = {"none", "7 3", "2 3"};
 
+/// XML 1.0 has no way to write control characters: shown as a person would write them.
 std::string escaped(std::string_view text) {
   std::string out;
-  for (char c : text) {
+  for (char c : printable(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')

@@ -1,7 +1,7 @@
 #include "reports/cli/run_choices.hpp"
 
+#include "reference/scene/names.hpp"
 #include "reports/cli/errors.hpp"
-#include "reports/eval/suggest.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 const reference::Entry& entry_of(const std::string& name) {
   if (const auto* entry = reference::find_formulation(name)) return *entry;
-  throw BadInput(unknown_name("formulation", name, formulation_names()));
+  throw BadInput(reference::unknown_name("formulation", name, reference::formulation_names()));
 }
 
 bool looks_like_file(const std::string& text) {
@@ -25,7 +25,7 @@ bool looks_like_file(const std::string& text) {
 reference::Scene find_scene(const std::string& name_or_file) {
   if (looks_like_file(name_or_file)) {
     if (!std::filesystem::is_regular_file(name_or_file))
-      throw BadInput(name_or_file + ": no such scene file");
+      throw BadInput(name_or_file + ": no such scene file; allowed: a TOML file, or a name of halfway list");
     return reference::read_scene(name_or_file);
   }
   const auto scenes = reference::canonical_scenes();
@@ -34,7 +34,7 @@ reference::Scene find_scene(const std::string& name_or_file) {
     if (scene.name == name_or_file) return scene;
     names.push_back(scene.name);
   }
-  throw BadInput(unknown_name("scene", name_or_file, names) + ", or a file NAME.toml");
+  throw BadInput(reference::unknown_name("scene", name_or_file, names) + ", or a file NAME.toml");
 }
 
 std::vector<reference::Choice> run_choices(const reference::Scene& scene,
@@ -71,6 +71,19 @@ std::vector<reference::Choice> run_choices(const reference::Scene& scene,
       throw BadInput(fmt::format("{} needs --xi: scene {} names no value", entry->name, scene.name));
     }
     for (double xi : values) out.push_back({entry, xi});
+  }
+  return out;
+}
+
+std::vector<LeftOut> left_out(const reference::Scene& scene, const std::vector<reference::Choice>& choices) {
+  std::vector<LeftOut> out;
+  if (!scene.formulations.empty()) return out;
+  for (const auto& entry : reference::formulations()) {
+    if (std::ranges::find(choices, &entry, &reference::Choice::entry) != choices.end()) continue;
+    const char* reason = reference::accepts_law(entry, scene.joint)
+                             ? "needs a value: --xi 0.5, or xis = [0.5] in the scene"
+                             : "takes no coupling of translation and rotation";
+    out.push_back({std::string(entry.name), reason});
   }
   return out;
 }

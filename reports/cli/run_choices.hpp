@@ -17,4 +17,10 @@ std::vector<reference::Choice> run_choices(const reference::Scene& scene,
                                            const std::vector<std::string>& names,
                                            const std::vector<double>& xis);
 
+/// A formulation that is not run although nobody chose otherwise, and why.
+struct LeftOut {
+  std::string formulation, reason;
+};
+std::vector<LeftOut> left_out(const reference::Scene& scene, const std::vector<reference::Choice>& choices);
+
 }  // namespace halfway::reports

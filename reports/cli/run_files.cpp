@@ -32,7 +32,8 @@ std::string curves_csv(const std::vector<reference::Curve>& curves) {
   return out;
 }
 
-std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves) {
+std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
+                        const std::vector<LeftOut>& left_out) {
   nlohmann::ordered_json out = {{"schema", "halfway-run-1"},
                                 {"scene", scene.name},
                                 {"title", scene.title},
@@ -48,10 +49,13 @@ std::string curves_json(const reference::Scene& scene, const std::vector<referen
     item["rows"] = curve.rows;
     out["curves"].push_back(std::move(item));
   }
+  out["left_out"] = nlohmann::ordered_json::array();
+  for (const auto& [name, reason] : left_out)
+    out["left_out"].push_back({{"formulation", name}, {"reason", reason}});
   return out.dump(1) + "\n";
 }
 
-std::string curves_table(const std::vector<reference::Curve>& curves) {
+std::string curves_table(const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
   if (curves.empty()) return "";
   std::size_t width = 11;
   for (const auto& curve : curves) width = std::max(width, curve_label(curve).size());
@@ -68,6 +72,8 @@ std::string curves_table(const std::vector<reference::Curve>& curves) {
     fmt::format_to(std::back_inserter(out), "  {:>10}  {:>8.1e}  {}\n", curve.iterations, curve.residual,
                    curve.outcome);
   }
+  for (const auto& [name, reason] : left_out)
+    fmt::format_to(std::back_inserter(out), "{:<{}}  left out: {}\n", name, width, reason);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "reports/eval/eval_request.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <iterator>
@@ -20,12 +21,12 @@ struct EvalAnswer {
   std::optional<double> energy;
 };
 
-std::string id_text(const json& id) { return id.dump(-1, ' ', false, json::error_handler_t::replace); }
-
-std::string refusal(const json& id, std::string_view code, std::string_view message, std::string_view field) {
+/// @param id  JSON already
+std::string refusal(std::string_view id, std::string_view code, std::string_view message,
+                    std::string_view field) {
   const nlohmann::ordered_json error = {
       {"code", code}, {"message", message}, {"field", field.empty() ? json() : json(field)}};
-  return fmt::format(R"({{"id":{},"error":{}}})", id_text(id),
+  return fmt::format(R"({{"id":{},"error":{}}})", id,
                      error.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -86,7 +87,7 @@ EvalAnswer evaluate(const EvalRequest& request) {
   }
   if (request.energy) answer.energy = evaluators.energy(request.spec, request.a, request.b);
   if (!is_regular(request, answer)) {
-    throw EvalError(
+    throw reference::Refusal(
         "singular_pose",
         fmt::format("{} has no finite result here: its rotation measure is singular at this relative "
                     "rotation, or the numbers overflow",
@@ -106,8 +107,8 @@ void append_numbers(std::string& out, const Values& values) {
   out += ']';
 }
 
-std::string written(const json& id, const EvalRequest& request, const EvalAnswer& answer) {
-  std::string out = "{\"id\":" + id_text(id);
+std::string written(const ParsedLine& line, const EvalRequest& request, const EvalAnswer& answer) {
+  std::string out = "{\"id\":" + line.id;
   if (request.strain) append_numbers(out += ",\"strain\":", answer.strain);
   if (request.loads) append_numbers(out += ",\"loads\":", answer.loads.q);
   if (request.tangent) {
@@ -119,28 +120,28 @@ std::string written(const json& id, const EvalRequest& request, const EvalAnswer
     out += ",\"energy\":";
     out += answer.energy ? fmt::format("{:.17g}", *answer.energy) : "null";
   }
+  if (const auto& notes = line.document.notes; !notes.empty()) out += ",\"notes\":" + json(notes).dump();
   return out + '}';
 }
 
 }  // namespace
 
-std::string eval_line(std::string_view line) {
-  json id;
+std::string eval_line(std::string_view text) {
+  ParsedLine line;
   try {
-    ParsedLine parsed = parse_line(line);
-    id = std::move(parsed.id);
-    if (parsed.error) throw *parsed.error;
-    const EvalRequest request = read_request(parsed.value);
-    return written(id, request, evaluate(request));
-  } catch (const EvalError& e) {
-    return refusal(id, e.code, e.what(), e.field);
+    line = parse_line(text);
+    if (line.error) throw *line.error;
+    const EvalRequest request = read_request(line.document);
+    return written(line, request, evaluate(request));
+  } catch (const reference::Refusal& e) {
+    return refusal(line.id, e.code, e.what(), e.key);
   } catch (const std::exception& e) {
-    return refusal(id, "internal_error", e.what(), "");
+    return refusal(line.id, "internal_error", e.what(), "");
   }
 }
 
 std::string eval_refusal(std::string_view code, std::string_view message) {
-  return refusal(nullptr, code, message, "");
+  return refusal("null", code, message, "");
 }
 
 }  // namespace halfway::reports

@@ -1,24 +1,24 @@
-// One line of text -> one JSON value, bounded in depth, with the id saved from lines that break off.
+// One line of text -> one tree, bounded in depth and size, with the id saved from lines that break off.
 #pragma once
 
-#include "reports/eval/eval_error.hpp"
-
-#include <nlohmann/json.hpp>
+#include "reference/scene/document.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace halfway::reports {
 
-inline constexpr std::size_t kDeepestNesting = 32;
+inline constexpr std::size_t kMostValues = 1000000;  ///< of one line; a request has some hundred
 
 struct ParsedLine {
-  nlohmann::json value;            ///< as far as it was read
-  nlohmann::json id;               ///< the top-level "id", null when absent or unreadable
-  std::optional<EvalError> error;  ///< malformed_json, too_deep, not_finite, empty_line, not_an_object
+  reference::Document document;  ///< as far as it was read
+  std::string id = "null";       ///< the top-level "id" as it came, null when absent or unreadable: JSON
+  /// malformed_json, too_deep, too_many_values, duplicate_key, not_finite, empty_line, not_an_object
+  std::optional<reference::Refusal> error{};
 };
 
-/// Never throws for what the line says; strict JSON, the last of duplicate keys counts.
+/// Never throws for what the line says; strict JSON.
 ParsedLine parse_line(std::string_view line);
 
 }  // namespace halfway::reports

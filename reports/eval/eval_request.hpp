@@ -1,10 +1,8 @@
-// A request of `halfway eval`: from JSON to a joint, two poses and what is wanted.
+// A request of `halfway eval`: from a line's tree to a joint, two poses and what is wanted.
 #pragma once
 
 #include "reference/face/registry.hpp"
-#include "reports/eval/eval_error.hpp"
-
-#include <nlohmann/json.hpp>
+#include "reference/scene/document.hpp"
 
 namespace halfway::reports {
 
@@ -15,8 +13,8 @@ struct EvalRequest {
   bool strain = false, loads = false, tangent = false, energy = false;
 };
 
-/// @param line  one JSON object
-/// @throws EvalError naming the first field that is wrong
-EvalRequest read_request(const nlohmann::json& line);
+/// @param line  one object; gathers the notes on what was normalised.
+/// @throws reference::Refusal naming the first field that is wrong
+EvalRequest read_request(reference::Document& line);
 
 }  // namespace halfway::reports

@@ -2,10 +2,11 @@
 #include "bench/harness/timing.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/speed.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <memory>
@@ -36,28 +37,28 @@ std::string share(const bench::Peaks& peaks, const bench::Timing& t) {
 }
 
 void print_table(const bench::Run& run) {
-  fmt::print("{}; {}; {}; commit {}\n", run.context.machine, run.context.compiler, run.context.flags,
-             run.context.commit);
-  fmt::print("{:<58} {:>10} {:>7} {:>11} {:>9} {:>8} {:>8}\n", "benchmark", "ns (CPU)", "spread",
-             "worst error", "flops", "of peak", "gain");
+  print(fmt::format("{}; {}; {}; commit {}\n", run.context.machine, run.context.compiler, run.context.flags,
+                    run.context.commit));
+  print(fmt::format("{:<58} {:>10} {:>7} {:>11} {:>9} {:>8} {:>8}\n", "benchmark", "ns (CPU)", "spread",
+                    "worst error", "flops", "of peak", "gain"));
   for (const auto& t : run.timings) {
     if (t.wrong)
-      fmt::print("{:<58} not timed: {}\n", t.name, t.message);
+      print(fmt::format("{:<58} not timed: {}\n", t.name, t.message));
     else
-      fmt::print("{:<58} {:>10.1f} {:>6.1f}% {:>11.2g} {:>9} {:>8} {:>8}\n", t.name, t.ns, 100 * t.spread,
-                 t.error, t.flops > 0 ? fmt::format("{:.0f}", t.flops) : "", share(run.peaks, t),
-                 gain(run, t));
+      print(fmt::format("{:<58} {:>10.1f} {:>6.1f}% {:>11.2g} {:>9} {:>8} {:>8}\n", t.name, t.ns,
+                        100 * t.spread, t.error, t.flops > 0 ? fmt::format("{:.0f}", t.flops) : "",
+                        share(run.peaks, t), gain(run, t)));
   }
 }
 
 void print_targets(const bench::Run& run) {
-  fmt::print("\n{:<84} {:>8} {:>10}\n", "target (ratios within this run)", "value", "limit");
+  print(fmt::format("\n{:<84} {:>8} {:>10}\n", "target (ratios within this run)", "value", "limit"));
   for (const Target& t : speed_targets(run.timings, run.peaks)) {
     const std::string limit = fmt::format("{} {:.2f}", t.at_least ? ">=" : "<=", t.limit);
     if (std::isnan(t.value))
-      fmt::print("{:<84} {:>8} {:>10}  not timed\n", t.name, "-", limit);
+      print(fmt::format("{:<84} {:>8} {:>10}  not timed\n", t.name, "-", limit));
     else
-      fmt::print("{:<84} {:>8.2f} {:>10}  {}\n", t.name, t.value, limit, t.met() ? "met" : t.note);
+      print(fmt::format("{:<84} {:>8.2f} {:>10}  {}\n", t.name, t.value, limit, t.met() ? "met" : t.note));
   }
 }
 

@@ -3,12 +3,12 @@
 #include "reference/truth/fe/studies/studies.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <memory>
 
 namespace halfway::reports {
@@ -37,15 +37,14 @@ std::vector<const fe::Study*> chosen(const ReferenceOptions& options) {
 void reference_command(const ReferenceOptions& options) {
   for (const fe::Study* study : chosen(options)) {
     if (!options.force && fe::kept(*study)) {
-      fmt::print("{}: up to date\n", study->name);
+      print(fmt::format("{}: up to date\n", study->name));
       continue;
     }
     const auto json = fe::regenerate(*study, Progress(study->name));
     const auto file = reference::data_folder() / fe::file_of(*study);
     std::filesystem::create_directories(file.parent_path());
     write_file(file, json.dump() + "\n");
-    fmt::print("{}: written to {}\n", study->name, file.string());
-    std::fflush(stdout);
+    print(fmt::format("{}: written to {}\n", study->name, file.string()));
   }
 }
 

@@ -1,9 +1,10 @@
 // halfway report: verifies, solves the scenes, times, and writes the page and its data.
 #include "bench/harness/timing.hpp"
 #include "bench/questions/methods/skipped.hpp"
+#include "reference/scene/names.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
-#include "reports/eval/suggest.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/paper.hpp"
 #include "reports/views/solids.hpp"
 #include "reports/views/speed.hpp"
@@ -102,7 +103,6 @@ void time_all(const ReportOptions& options, Results& results) {
     bench_options.filter = kQuickBenchmarks;
     results.left_out.push_back({"times of batches, variants, methods and equilibria", kQuickReason});
   }
-  std::filesystem::create_directories(options.folder);
   bench::Run run = bench::run(bench_options, Progress("timing"));
   results.context = run.context;
   results.timings = std::move(run.timings);
@@ -118,9 +118,11 @@ int count(const Results& results, reference::Verdict verdict) {
 }
 
 void report(const ReportOptions& options) {
-  Results results;
   if (!options.only.empty() && reference::find_formulation(options.only) == nullptr)
-    throw BadInput(unknown_name("formulation", options.only, formulation_names()));
+    throw BadInput(reference::unknown_name("formulation", options.only, reference::formulation_names()));
+  try_output(options.folder);
+  const FolderLock lock(options.folder);
+  Results results;
   results.command = std::string("./halfway report") + (options.quick ? " --quick" : "") +
                     (options.only.empty() ? "" : " --formulation " + options.only);
   results.formulations = formulation_infos();
@@ -144,11 +146,13 @@ void report(const ReportOptions& options) {
 
   const int failed = count(results, reference::Verdict::fail);
   const auto wrong = std::ranges::count(results.timings, true, &bench::Timing::wrong);
-  fmt::print("{} findings: {} pass, {} known failures in their bands, {} left out, {} fail; {} timings\n",
-             results.findings.size(), count(results, reference::Verdict::pass),
-             count(results, reference::Verdict::known_failure), count(results, reference::Verdict::left_out),
-             failed, results.timings.size() - wrong);
-  fmt::print("wrote {0}/index.html, results.json, summary.md, junit.xml, bench.json\n", options.folder);
+  print(fmt::format(
+      "{} findings: {} pass, {} known failures in their bands, {} left out, {} fail; {} timings\n",
+      results.findings.size(), count(results, reference::Verdict::pass),
+      count(results, reference::Verdict::known_failure), count(results, reference::Verdict::left_out), failed,
+      results.timings.size() - wrong));
+  print(
+      fmt::format("wrote {0}/index.html, results.json, summary.md, junit.xml, bench.json\n", options.folder));
   if (failed > 0 || wrong > 0) {
     throw FailedRun(fmt::format("{} findings failed and {} benchmarks were wrong; see {}/summary.md", failed,
                                 wrong, options.folder));

@@ -65,9 +65,27 @@ const Mistake kMistakes[] = {
     {[](json& r) { r["law"]["K"][5][5] = -9; }, "indefinite_stiffness", "law.K"},
     {[](json& r) { r["law"]["K"][0][1] = r["law"]["K"][1][0] = 40; }, "indefinite_stiffness", "law.K"},
     {[](json& r) {
-       r["law"]["K"] = json::array({0, 0, 0, 0, 0, 0});
+       r["law"]["K"] = {1, 2, 3};
      },
-     "wrong_type", "law.K[0]"},
+     "wrong_shape", "law.K"},
+    {[](json& r) { r["law"]["K"] = {1, 2, 3, 4, 5, -6}; }, "indefinite_stiffness", "law.K"},
+    {[](json& r) { r["law"]["stiffness"] = r["law"]["K"]; }, "named_twice", "law.K"},
+    {[](json& r) {
+       r["law"] = {{"type", "linear"}, {"compliance", {1, 1, 1, 1, 0, 1}}};
+     },
+     "indefinite_stiffness", "law.compliance"},
+    {[](json& r) {
+       r["law"]["preload"] = {1, 0, 0};
+     },
+     "unknown_key", "law.preload"},
+    {[](json& r) {
+       r["offset_a"] = {0, 0, 1};
+     },
+     "named_twice", "a.o"},
+    {[](json& r) {
+       r["a"]["q"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+     },
+     "not_a_rotation", "a.q"},
     {[](json& r) {
        r["law"] = {{"type", "polynomial"}, {"k1", {1, 2, 3}}};
      },
@@ -93,7 +111,7 @@ const Mistake kMistakes[] = {
      },
      "not_unit_quaternion", "a.q"},
     {[](json& r) {
-       r["a"]["q"] = {1 + 2e-6, 0, 0, 0};
+       r["a"]["q"] = {1 + 2e-3, 0, 0, 0};
      },
      "not_unit_quaternion", "a.q"},
     {[](json& r) {
@@ -211,6 +229,27 @@ BOOST_AUTO_TEST_CASE(messages_help) {
   const std::string message = answer(request)["error"]["message"];
   BOOST_TEST(message.find("did you mean 'invariant'") != std::string::npos);
   BOOST_TEST(message.find("attached_a") != std::string::npos);
+  // What is like nothing gets no suggestion.
+  for (const char* key : {"preload", "damping", "w"}) {
+    json unlike = base();
+    unlike["law"][key] = 1;
+    const std::string text = answer(unlike)["error"]["message"];
+    BOOST_TEST(text.find("did you mean") == std::string::npos, text);
+    BOOST_TEST(text.find(key) != std::string::npos, text);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(keys_that_stand_twice) {
+  check_refused(R"({"id":7,"kind":"angular","kind":"linear"})", "duplicate_key", "kind", 7);
+  check_refused(R"({"id":7,"law":{"K":[1],"type":"linear","K":[2]}})", "duplicate_key", "law.K", 7);
+  check_refused(R"({"id":7,"id":8})", "duplicate_key", "id", 7);
+  check_refused(R"({"id":{"k":1,"k":2}})", "duplicate_key", "id.k", nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(lines_of_too_many_values) {
+  std::string numbers = "{\"id\":1,\"law\":[0";
+  for (int i = 0; i < 1000000; ++i) numbers += ",0";
+  check_refused(numbers + "]}", "too_many_values", "", 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

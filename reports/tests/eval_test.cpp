@@ -1,6 +1,7 @@
 // eval: every formulation and kind answers, and what it answers is what was asked for.
 #define BOOST_TEST_MODULE eval
 #include "reference/record/worst.hpp"
+#include "reports/eval/eval_line.hpp"
 #include "reports/tests/eval_support.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -139,6 +140,12 @@ BOOST_AUTO_TEST_CASE(ids_come_back) {
   }
   request.erase("id");
   BOOST_TEST(answer(request)["id"].is_null());
+  // Beyond every integer type: the digits that came, not a rounded number.
+  for (const char* id :
+       {"123456789012345678901234567890", "-98765432109876543210", "1.50", "[1,{\"b\":2,\"a\":3}]"}) {
+    const std::string line = R"({"id":)" + std::string(id) + ',' + request.dump().substr(1);
+    BOOST_TEST(reports::eval_line(line).starts_with(R"({"id":)" + std::string(id) + ','), line);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(no_offset_and_no_frame_by_default) {
@@ -155,11 +162,12 @@ BOOST_AUTO_TEST_CASE(no_offset_and_no_frame_by_default) {
 BOOST_AUTO_TEST_CASE(quaternions_are_normalised) {
   json request = invariant_request();
   const Eigen::MatrixXd exact = matrix_of(answer(request)["loads"]);
-  for (double scale : {1 + 9e-7, 1 - 9e-7}) {
+  for (double scale : {1 + 9e-7, 1 - 9e-7, 1 + 9e-4, 1 - 9e-4}) {
     json scaled = request;
     for (auto& x : scaled["a"]["q"]) x = x.get<double>() * scale;
     const double error = largest_entry<double>(matrix_of(answer(scaled)["loads"]) - exact);
     BOOST_TEST(error <= 1e-14 * largest_entry<double>(exact), "loads moved by " << error);
+    BOOST_TEST(answer(scaled).contains("notes") == (std::abs(scale - 1) > 1e-6));
   }
 }
 

@@ -47,3 +47,50 @@ for arguments in "" "bend" "run" "run no_such_scene" "run c1 --formulation invar
   [ "$code" -eq 2 ] || fail "'halfway $arguments' exits with $code instead of 2"
   [ "$(wc -l < "$folder/err")" -eq 1 ] || fail "'halfway $arguments' does not complain in one line"
 done
+"$program" bend 2>&1 | grep -q "unknown command 'bend'" || fail "an unknown command is not named"
+"$program" run mount 2>&1 | grep -q "did you mean" && fail "a suggestion for what is like nothing"
+
+# Streams that take nothing: exit 1, whatever was lost; nothing crashes.
+printf '%s\n' 'title = "a \u001b[31m b"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "linear"' 'K = [1, 2, 3]' \
+  '[[load]]' 'type = "fixed_moment"' 'value = [0, 0, 1]' '[path]' 'factor_end = 1' > "$folder/scene.toml"
+run="run $folder/scene.toml --formulation invariant --format svg --out $folder/results"
+for arguments in list --help --version "$run"; do
+  # shellcheck disable=SC2086
+  "$program" $arguments > /dev/full 2> /dev/null
+  [ $? -eq 1 ] || fail "'halfway $arguments' into a full device does not exit with 1"
+  # shellcheck disable=SC2086
+  "$program" $arguments 2> /dev/null >&-
+  [ $? -eq 1 ] || fail "'halfway $arguments' without standard output does not exit with 1"
+done
+printf '%s\n' "$valid" | "$program" eval > /dev/full 2> /dev/null
+[ $? -eq 1 ] || fail "eval into a full device does not exit with 1"
+# shellcheck disable=SC2086
+"$program" $run > /dev/null 2> /dev/full
+[ $? -eq 1 ] || fail "run with a full standard error does not exit with 1"
+# shellcheck disable=SC2086
+"$program" $run > /dev/null 2>&-
+[ $? -eq 1 ] || fail "run without standard error does not exit with 1"
+
+# Control characters of a title reach neither terminal nor drawing.
+# shellcheck disable=SC2086
+"$program" $run > "$folder/out.txt" 2>&1 || fail "run exits with $?"
+escape=$(printf '\033')
+grep -q "$escape" "$folder/out.txt" "$folder/results/scene/curve.svg" && fail "a control character came through"
+grep -q 'a .u001b' "$folder/out.txt" || fail "a control character is not shown"
+
+# An output folder that is a file: refused before the work, nothing printed.
+: > "$folder/file"
+"$program" run "$folder/scene.toml" --out "$folder/file" > "$folder/out.txt" 2> /dev/null
+[ $? -eq 2 ] || fail "a file for a folder is not refused with 2"
+[ -s "$folder/out.txt" ] && fail "work began before its folder was tried"
+
+# A file of dots stays inside the folder of results.
+cp "$folder/scene.toml" "$folder/...toml"
+"$program" run "$folder/...toml" --formulation invariant --format csv --out "$folder/dots/in" > /dev/null 2>&1 || fail "dots"
+[ "$(ls -A "$folder/dots")" = in ] || fail "a file named ...toml writes outside its folder"
+
+# A hinge: solved where no load works on it, refused by name where one does.
+sed -e 's/K = .*/K = [0, 2, 3]/' "$folder/scene.toml" > "$folder/hinge.toml"
+"$program" run "$folder/hinge.toml" --formulation conformal --out "$folder/results" 2>&1 | grep -q ' converged' || fail "hinge"
+sed -e 's/K = .*/K = [1, 2, 0]/' "$folder/scene.toml" > "$folder/free.toml"
+"$program" run "$folder/free.toml" --out "$folder/results" 2>&1 | grep -q 'direction without stiffness' || fail "free hinge"

@@ -1,5 +1,8 @@
 #include "reports/views/files.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,6 +41,49 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     std::filesystem::remove(part, error);
     fail(file, "cannot replace", why);
   }
+}
+
+void try_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) {
+    fail(folder, "cannot be a folder", error ? error.message() : "it is a file");
+  }
+  const auto probe = folder / ("try." + std::to_string(::getpid()) + ".part");
+  write_file(probe, "written and removed");
+  std::filesystem::remove(probe, error);
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".lock"), descriptor_(-1) {
+  while (descriptor_ < 0) {
+    const int opened = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (opened < 0) fail(file_, "cannot lock", std::strerror(errno));
+    if (::flock(opened, LOCK_EX | LOCK_NB) != 0) {
+      char pid[32] = {};
+      const auto length = ::read(opened, pid, sizeof pid - 1);
+      ::close(opened);
+      fail(folder, "is being written by another process",
+           length > 0 ? std::string("process ") + pid : "it has just begun");
+    }
+    // The one before may have removed the file after it was opened here: then it locks nobody out.
+    struct stat here, there;
+    const bool is_there = ::fstat(opened, &here) == 0 && ::stat(file_.c_str(), &there) == 0;
+    if (is_there && here.st_ino == there.st_ino)
+      descriptor_ = opened;
+    else
+      ::close(opened);
+  }
+  const std::string pid = std::to_string(::getpid());
+  if (::ftruncate(descriptor_, 0) != 0 || ::write(descriptor_, pid.data(), pid.size()) < 0) {
+    ::close(descriptor_);
+    fail(file_, "cannot lock", std::strerror(errno));
+  }
+}
+
+FolderLock::~FolderLock() {
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored);
+  ::close(descriptor_);
 }
 
 std::string read_file(const std::filesystem::path& file) {

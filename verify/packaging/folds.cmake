@@ -8,7 +8,7 @@ set(named
     "verify/studies/limits/newton_order.cpp|std::max<std::size_t>(2, steps / 3)"
     "verify/studies/limits/large_rotation.cpp|stiffness().maxCoeff()"
     "verify/studies/limits/random_scene.cpp|largest = k.maxCoeff()"
-    "verify/studies/kernels/batch_running.cpp|std::max(1, batch::tangent_rows"
+    "verify/studies/kernels/batch_tables.cpp|std::max(1, batch::tangent_rows"
     "verify/studies/kernels/batch_tables.cpp|std::numbers::pi - std::max("
     "verify/studies/kernels/batches.cpp|std::max(1, batch::tangent_rows"
     "verify/studies/kernels/kernel_polynomials.cpp|share = std::max(1e-6,"

@@ -4,6 +4,7 @@
 #include "halfway/batch/run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace halfway::batch {
@@ -54,7 +55,10 @@ detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, Law la
 }  // namespace
 
 Batch::Batch(const Model& model, std::optional<Isa> isa)
-    : model_(model), widest_(choose(isa)), served_by_(&serving(model.formulation, model.kind)) {}
+    : model_(model), widest_(choose(isa)), served_by_(&serving(model.formulation, model.kind)) {
+  if (entry_named(model.formulation).needs_xi && !(model.xi && std::isfinite(*model.xi)))
+    throw std::invalid_argument("formulation '" + model.formulation + "' needs a xi: Model::xi, any number");
+}
 
 bool Batch::knows(std::string_view formulation) {
   return std::ranges::any_of(detail::entries(), [&](const Entry& e) { return e.name == formulation; });

@@ -27,6 +27,7 @@ struct Entry;
 enum class Law { linear, polynomial };
 
 /// What is computed. Rows of Results::loads, angular: m_b (m_a = -m_b); else f_b, m_a, m_b (f_a = -f_b).
+/// Signs: q = dU/dx, internal loads: add -q to your equations of motion.
 enum class Output {
   residual,     ///< loads alone
   tangent,      ///< and the distinct entries of the tangent, see tangent_rows
@@ -38,7 +39,7 @@ struct Model {
   std::string formulation;  ///< a name of the catalog
   Kind kind = Kind::angular;
   Law law = Law::linear;
-  double xi = 0.5;  ///< read by formulations that have one
+  std::optional<double> xi{};  ///< demanded by formulations that have one, read by no other
 };
 
 constexpr int law_rows(Kind kind, Law law) {
@@ -73,12 +74,12 @@ constexpr long padded_stride(long count) {
 template <class T>
 struct Joints {
   long count = 0;
-  Columns<const T> q_a, q_b;  ///< 4 rows each
-  Columns<const T> x_a, x_b;  ///< 3 rows each, m; not read by angular joints
-  Columns<const T> law;       ///< law_rows; shared: one number a row (stride 1)
+  Columns<const T> q_a{}, q_b{};  ///< 4 rows each
+  Columns<const T> x_a{}, x_b{};  ///< 3 rows each, m; not read by angular joints
+  Columns<const T> law{};         ///< law_rows; shared: one number a row (stride 1)
   bool law_per_joint = false;
   const End<T>*a = nullptr, *b = nullptr;  ///< of all joints; none: the joint frames are the nodes
-  Columns<const T> direction;              ///< (w_a, w_b) or (x_a, w_a, x_b, w_b), for Output::product alone
+  Columns<const T> direction{};            ///< (w_a, w_b) or (x_a, w_a, x_b, w_b), for Output::product alone
 };
 
 template <class T>
@@ -97,7 +98,8 @@ struct Options {
 class Batch {
  public:
   /// @param isa  the widest to be used; none: HALFWAY_ISA or what the machine has. Throws
-  /// std::invalid_argument: no such formulation, or an instruction set that this machine lacks.
+  /// std::invalid_argument: no such formulation, one that needs a xi without it, or an instruction set that
+  /// this machine lacks.
   explicit Batch(const Model& model, std::optional<Isa> isa = {});
 
   /// Is there a batch of that name?

@@ -14,6 +14,7 @@ struct Entry {
   const void* kernel;     ///< identity of its own kernel
   const void* served[3];  ///< identity of the kernel that serves it, by kind
   const Unit* units[3];   ///< by instruction set; nullptr: not built
+  bool needs_xi;
 };
 
 /// In the order of catalog.def.

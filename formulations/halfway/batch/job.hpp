@@ -2,6 +2,8 @@
 // give back: plain functions. No standard header.
 #pragma once
 
+#include "halfway/rotations/cpp20.hpp"
+
 namespace halfway::batch {
 
 /// A table of numbers, one row of joints per component: component c of joint i at first[c * stride + i].

@@ -10,6 +10,27 @@ Columns<T> from_joint(const Columns<T>& c, long i) {
   return {c.first == nullptr ? nullptr : c.first + i, c.stride, c.size - i};
 }
 
+template <class T>
+Joints<T> part_of(const Plan::Group& g, const Joints<T>& joints, std::span<const EndPair<T>> ends) {
+  Joints<T> part = joints;
+  part.count = g.count;
+  part.law_per_joint = true;
+  for (Columns<const T>* c : {&part.q_a, &part.q_b, &part.x_a, &part.x_b, &part.law, &part.direction}) {
+    *c = from_joint(*c, g.begin);
+  }
+  part.a = part.b = nullptr;
+  if (g.ends < 0) return part;
+  if (g.ends >= int(ends.size()))
+    throw std::invalid_argument("plan: ends " + std::to_string(g.ends) + " are not given");
+  part.a = &ends[g.ends].a, part.b = &ends[g.ends].b;
+  return part;
+}
+
+template <class T>
+Results<T> part_of(const Plan::Group& g, const Results<T>& results) {
+  return {from_joint(results.loads, g.begin), from_joint(results.tangent, g.begin)};
+}
+
 }  // namespace
 
 Plan::Plan(std::span<const Member> members, std::span<const int> of_joint, std::optional<Isa> isa) {
@@ -55,20 +76,29 @@ template <class T>
 void Plan::evaluate(const Joints<T>& joints, const Results<T>& results, Output output,
                     std::span<const EndPair<T>> ends, const Options& options) const {
   for (const Group& g : groups_) {
-    Joints<T> part = joints;
-    part.count = g.count;
-    part.law_per_joint = true;
-    for (Columns<const T>* c : {&part.q_a, &part.q_b, &part.x_a, &part.x_b, &part.law, &part.direction}) {
-      *c = from_joint(*c, g.begin);
+    g.batch.evaluate(part_of(g, joints, ends), part_of(g, results), output, options);
+  }
+}
+
+template <class T>
+void validate(const Plan& plan, const Joints<T>& joints, const Results<T>& results, Output output,
+              std::span<const EndPair<T>> ends) {
+  if (joints.count != plan.count()) {
+    throw std::invalid_argument("plan: " + std::to_string(joints.count) +
+                                " joints are given, the plan is of " + std::to_string(plan.count()));
+  }
+  if (!joints.law_per_joint) throw std::invalid_argument("plan: law_per_joint is false; laws are per joint");
+  for (const Plan::Group& g : plan.groups()) {
+    const Model& model = g.batch.model();
+    const std::string group = "plan, joints " + std::to_string(g.begin) + " to " +
+                              std::to_string(g.begin + g.count - 1) + " (" + model.formulation + '/' +
+                              halfway::to_string(model.kind) + "), counted from the first of them: ";
+    try {
+      validate(model, part_of(g, joints, ends), part_of(g, results), output);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(group + error.what());
     }
-    part.a = part.b = nullptr;
-    if (g.ends >= 0) {
-      if (g.ends >= int(ends.size()))
-        throw std::invalid_argument("plan: ends " + std::to_string(g.ends) + " are not given");
-      part.a = &ends[g.ends].a, part.b = &ends[g.ends].b;
-    }
-    g.batch.evaluate(part, {from_joint(results.loads, g.begin), from_joint(results.tangent, g.begin)}, output,
-                     options);
+    if (!g.batch.has<T>(output)) throw std::invalid_argument(group + "this output is not built for them");
   }
 }
 
@@ -80,5 +110,9 @@ template void Plan::evaluate(const Joints<double>&, const Results<double>&, Outp
                              std::span<const EndPair<double>>, const Options&) const;
 template void Plan::evaluate(const Joints<float>&, const Results<float>&, Output,
                              std::span<const EndPair<float>>, const Options&) const;
+template void validate(const Plan&, const Joints<double>&, const Results<double>&, Output,
+                       std::span<const EndPair<double>>);
+template void validate(const Plan&, const Joints<float>&, const Results<float>&, Output,
+                       std::span<const EndPair<float>>);
 
 }  // namespace halfway::batch

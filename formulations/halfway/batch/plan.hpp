@@ -47,7 +47,7 @@ class Plan {
   void restore(int rows, const Columns<const T>& from, const Columns<T>& to) const;
 
   /// Tables in the plan's order; rows as each group's kind has them, those beyond are left alone. Law
-  /// numbers are per joint. Joints::a and b are not read: `ends` has them.
+  /// numbers are per joint. Joints::a and b are not read: `ends` has them. Nothing is checked: validate().
   template <class T>
   void evaluate(const Joints<T>& joints, const Results<T>& results, Output output,
                 std::span<const EndPair<T>> ends = {}, const Options& options = {}) const;
@@ -56,5 +56,12 @@ class Plan {
   std::vector<long> order_;
   std::vector<Group> groups_;
 };
+
+/// The first thing that is wrong with a plan's evaluation: as validate() of a batch for each group, and
+/// joints that are not as many as the plan has, laws that are not per joint, ends that are not given, an
+/// output that was not built. Throws std::invalid_argument, which names the group.
+template <class T>
+void validate(const Plan& plan, const Joints<T>& joints, const Results<T>& results, Output output,
+              std::span<const EndPair<T>> ends = {});
 
 }  // namespace halfway::batch

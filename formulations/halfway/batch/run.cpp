@@ -51,7 +51,7 @@ Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
   job.law_step = shared != nullptr ? 0 : 1;
   job.polynomial = w.model.law == Law::polynomial;
   job.a = j.a, job.b = j.b;
-  job.xi = w.model.xi;
+  job.xi = w.model.xi.value_or(0.5);
   job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);
   job.all_entries = w.output == Output::tangent_144;
   return job;

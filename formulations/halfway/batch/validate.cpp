@@ -78,7 +78,7 @@ void end(const char* name, const End<T>& e) {
 template <class T>
 void inputs(const Model& model, const Joints<T>& j, Output output) {
   if (j.count < 0) refuse("count is " + std::to_string(j.count));
-  if (!std::isfinite(model.xi)) refuse("xi is " + number(model.xi));
+  if (model.xi && !std::isfinite(*model.xi)) refuse("xi is " + number(*model.xi));
   quaternions("q_a", j.q_a, j.count), quaternions("q_b", j.q_b, j.count);
   if (model.kind != Kind::angular) finite("x_a", j.x_a, 3, j.count), finite("x_b", j.x_b, 3, j.count);
   finite("law", j.law, law_rows(model.kind, model.law), j.law_per_joint ? j.count : 1);

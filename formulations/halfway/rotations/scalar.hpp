@@ -1,6 +1,8 @@
 // Scalars, small matrices and the skew operator shared by every header of the library.
 #pragma once
 
+#include "halfway/rotations/cpp20.hpp"
+
 #include <Eigen/Geometry>
 
 #include <limits>

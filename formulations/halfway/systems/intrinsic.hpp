@@ -15,7 +15,8 @@ struct Invariant : Family<FrameHalfway, RotationVectorMeasure, Projected> {
                                .clamped_energy = near(0.005231)};
 };
 
-/// Any real xi [10-12, 19, 30]. The facts are those of xi = 0.3, at which verify probes it.
+/// Any real xi [10-12, 19, 30], which must be given: there is no usual one. The facts are those of xi = 0.3,
+/// at which verify probes it.
 struct Intrinsic : Family<FrameWeighted, RotationVectorMeasure, Projected> {
   static constexpr const char* name = "intrinsic";
   static constexpr const char* stands_for = "the paper's general form, any xi";
@@ -27,7 +28,7 @@ struct Intrinsic : Family<FrameWeighted, RotationVectorMeasure, Projected> {
       .loop_slope = 3,
       .clamped_energy = near(0.1046),
       .alpha = kProbeXi};
-  explicit Intrinsic(double xi = kProbeXi) : Family{FrameWeighted{xi}} {}
+  explicit Intrinsic(double xi) : Family{FrameWeighted{xi}} {}
 };
 
 }  // namespace halfway

@@ -1,7 +1,7 @@
 // Isotropic elastic laws at finite strain: second Piola-Kirchhoff stress S(E) and its tangent.
 //
 // All agree to first order (Lame constants lambda, mu) and differ from the second on, which is what
-// moves xi of a body without mirror symmetry (spec fe.md).
+// moves xi of a body without mirror symmetry.
 #pragma once
 
 #include "halfway/rotations/scalar.hpp"

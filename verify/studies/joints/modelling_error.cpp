@@ -1,5 +1,5 @@
 // How far each formulation is from the truth that a mirror-symmetric body dictates: second-order
-// coupling with xi = 1/2, for any elastic law (cases.md C2, C6).
+// coupling with xi = 1/2, for any elastic law (scenes C2, C6).
 #include "reference/truth/second_order.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"

@@ -40,4 +40,15 @@ struct BatchTables {
   NodeLoads<T> at(long i, batch::Output output) const;
 };
 
+inline constexpr batch::Isa kIsas[] = {batch::Isa::sse2, batch::Isa::avx2, batch::Isa::avx512};
+
+/// batch/NAME: a count of what is wrong, of which there may be none.
+Finding counted(const std::string& name, double wrong, const std::string& reason);
+
+const Entry& invariant();
+
+/// Many joints of `invariant`: those with 50 digits, over and over.
+std::vector<BatchJoint> repeated(Kind kind, int count);
+BatchTables<double> tables_of(const std::vector<BatchJoint>& joints, batch::Output output);
+
 }  // namespace halfway::verify

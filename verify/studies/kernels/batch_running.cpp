@@ -1,14 +1,11 @@
 // How a batch runs must not change what it returns: any number of joints, threads, stores past the
-// caches, shared laws, mixtures; and what is wrong with one is said by name.
+// caches, shared laws, mixtures.
 #include "halfway/batch/plan.hpp"
 #include "verify/studies/kernels/batch.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace halfway::verify {
@@ -16,32 +13,6 @@ namespace {
 
 using batch::Batch, batch::Isa, batch::Law, batch::Options, batch::Output, batch::Streaming;
 using Tables = BatchTables<double>;
-
-constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
-
-Finding counted(const std::string& name, double wrong, const std::string& reason) {
-  return finding("batch/" + name)
-      .about(name)
-      .measured(wrong)
-      .in("numbers")
-      .at_most(0, reason)
-      .by(Oracle::independent);
-}
-
-const Entry& invariant() { return *reference::find_formulation("invariant"); }
-
-/// Many joints: those with 50 digits, over and over.
-std::vector<BatchJoint> repeated(Kind kind, int count) {
-  const auto some = batch_joints(invariant(), kind, Law::linear, true, false);
-  std::vector<BatchJoint> out;
-  for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
-  return out;
-}
-
-Tables tables_of(const std::vector<BatchJoint>& joints, Output output) {
-  return Tables(invariant(), joints, Law::linear, true,
-                std::max(1, batch::tangent_rows(joints[0].spec.kind, output)));
-}
 
 /// A number no kernel makes: what it lies on was not written.
 constexpr double kCanary = -7.25e77;
@@ -185,53 +156,6 @@ Finding mixed() {
   return counted("mixed", wrong, "all formulations and kinds in one plan: each joint bit for bit as alone");
 }
 
-/// 1 if nothing is thrown, or a message that lacks one of the words.
-template <class Call>
-int silent(const Call& call, std::initializer_list<const char*> words) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    for (const char* word : words) {
-      if (std::strstr(error.what(), word) == nullptr) return 1;
-    }
-    return 0;
-  }
-  return 1;
-}
-
-int refused(const std::function<void(Tables&, batch::Joints<double>&)>& spoil,
-            std::initializer_list<const char*> words) {
-  Tables t = tables_of(repeated(Kind::linear, 20), Output::tangent);
-  batch::Joints<double> in = t.joints();
-  spoil(t, in);
-  return silent([&] { batch::validate(t.model, in, t.results(), Output::tangent); }, words);
-}
-
-Finding refusals() {
-  using In = batch::Joints<double>;
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  int wrong = 1 - refused([](Tables&, In&) {}, {});  // nothing wrong: nothing said
-  wrong += refused([](Tables& t, In&) { t.q_b(2, 13) *= 1.5; }, {"joint 13", "q_b", "length"});
-  wrong += refused([](Tables& t, In&) { t.x_a(1, 5) = kNan; }, {"joint 5", "x_a[1]", "nan"});
-  wrong += refused([](Tables& t, In&) { t.law(4, 19) = HUGE_VAL; }, {"joint 19", "law[4]", "inf"});
-  wrong += refused([](Tables&, In& in) { in.q_a.size = 11; }, {"q_a", "11"});
-  wrong += refused([](Tables&, In& in) { in.x_b.first = nullptr; }, {"x_b", "missing"});
-  wrong += refused([](Tables&, In& in) { in.b = nullptr; }, {"one node alone"});
-  wrong += refused([](Tables& t, In&) { t.model.xi = kNan; }, {"xi", "nan"});
-  wrong += silent([] { Batch({.formulation = "invarient"}); }, {"invarient", "invariant"});
-  for (const Isa isa : kIsas) {
-    if (!batch::available(isa)) wrong += silent([&] { batch::choose(isa); }, {batch::to_string(isa), "sse2"});
-  }
-  const char* const kept = std::getenv("HALFWAY_ISA");
-  const std::string before = kept == nullptr ? "" : kept;
-  setenv("HALFWAY_ISA", "mmx", 1);
-  wrong += silent([] { batch::choose({}); }, {"HALFWAY_ISA", "mmx", "sse2"});
-  setenv("HALFWAY_ISA", "sse2", 1);
-  wrong += batch::choose({}) != Isa::sse2;
-  kept == nullptr ? unsetenv("HALFWAY_ISA") : setenv("HALFWAY_ISA", before.c_str(), 1);
-  return counted("refusals", wrong, "each spoilt input is refused, joint, field and value named");
-}
-
 }  // namespace
 
 void batch_running(Checks& checks) {
@@ -243,7 +167,6 @@ void batch_running(Checks& checks) {
   add("streaming", streaming);
   add("shared_law", shared_law);
   add("mixed", mixed);
-  add("refusals", refusals);
 }
 
 }  // namespace halfway::verify

@@ -178,4 +178,27 @@ NodeLoads<T> BatchTables<T>::at(long i, Output output) const {
 template struct BatchTables<double>;
 template struct BatchTables<float>;
 
+Finding counted(const std::string& name, double wrong, const std::string& reason) {
+  return finding("batch/" + name)
+      .about(name)
+      .measured(wrong)
+      .in("numbers")
+      .at_most(0, reason)
+      .by(Oracle::independent);
+}
+
+const Entry& invariant() { return *reference::find_formulation("invariant"); }
+
+std::vector<BatchJoint> repeated(Kind kind, int count) {
+  const auto some = batch_joints(invariant(), kind, batch::Law::linear, true, false);
+  std::vector<BatchJoint> out;
+  for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
+  return out;
+}
+
+BatchTables<double> tables_of(const std::vector<BatchJoint>& joints, batch::Output output) {
+  return BatchTables<double>(invariant(), joints, batch::Law::linear, true,
+                             std::max(1, batch::tangent_rows(joints[0].spec.kind, output)));
+}
+
 }  // namespace halfway::verify

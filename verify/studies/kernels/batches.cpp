@@ -12,8 +12,6 @@ namespace {
 
 using batch::Batch, batch::Isa, batch::Law, batch::Output;
 
-constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
-
 struct Errors {
   Measurement loads, tangent, product;
 };

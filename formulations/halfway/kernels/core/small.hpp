@@ -2,6 +2,8 @@
 // pack of joints is as good a scalar as a double. The readable transcription uses Eigen instead.
 #pragma once
 
+#include "halfway/rotations/cpp20.hpp"
+
 #define HALFWAY_INLINE inline __attribute__((always_inline))
 #define HALFWAY_INLINE_LAMBDA __attribute__((always_inline))
 

@@ -1,4 +1,4 @@
-#include "reference/solve/spectrum.hpp"
+#include "reference/numbers/spectrum.hpp"
 
 #include <gsl/gsl_eigen.h>
 
