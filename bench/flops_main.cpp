@@ -1,7 +1,7 @@
 // halfway_flops: counts the flops of every joint.
 //   halfway_flops record FILE   keeps them in FILE
 //   halfway_flops check         compares them with those kept in bench/flops.json
-#include "bench/questions/count_flops.hpp"
+#include "bench/questions/kernels/count_flops.hpp"
 #include "halfway/systems/intrinsic.hpp"
 
 #include <cstdio>

@@ -1,8 +1,8 @@
 // halfway_instructions: counts instructions per evaluation, and compares them with kept numbers.
 //   halfway_instructions count NAME...           prints them
 //   halfway_instructions record FILE [NAME...]   keeps them in FILE; without names, of the cases in FILE
-//   halfway_instructions check [FILE]            compares, with bench/instructions.json by default; exit code 77 where no comparison is possible
-//   halfway_instructions evaluate NAME...        what valgrind runs
+//   halfway_instructions check [FILE]            compares, with bench/instructions.json by default; exit code
+//   77 where no comparison is possible halfway_instructions evaluate NAME...        what valgrind runs
 #include <fmt/format.h>
 
 #include <cmath>
@@ -83,7 +83,8 @@ int main(int argc, char** argv) try {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const std::string command = words.empty() ? "" : words[0];
   const std::vector<std::string> rest(words.begin() + !words.empty(), words.end());
-  if (command == "check" && rest.size() <= 1) return check(rest.empty() ? HALFWAY_INSTRUCTIONS_FILE : rest[0]);
+  if (command == "check" && rest.size() <= 1)
+    return check(rest.empty() ? HALFWAY_INSTRUCTIONS_FILE : rest[0]);
   if (rest.empty()) return std::fputs(kUsage, stderr), 1;
   if (command == "evaluate") return run_cases(rest), 0;
   if (command == "count") return print(count(rest)), 0;

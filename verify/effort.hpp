@@ -1,5 +1,6 @@
-// How much a study samples. Full: what a proof needs. Quick (HALFWAY_EFFORT=quick): every line reached with fewer
-// samples, for sanitizers and smoke runs; limits are the same, so a quick run fails only where a full one does.
+// How much a study samples. Full: what a proof needs. Quick (HALFWAY_EFFORT=quick): every line reached with
+// fewer samples, for sanitizers and smoke runs; limits are the same, so a quick run fails only where a full
+// one does.
 #pragma once
 
 #include <cstdlib>

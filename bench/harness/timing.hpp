@@ -35,7 +35,7 @@ struct Timing : Label {
                       ///< median of repetitions
   double spread = 0;  ///< coefficient of variation of the repetitions
   double error = std::numeric_limits<double>::quiet_NaN();
-                      ///< worst error against 50 digits over the timed poses, relative to |K||strain|
+  ///< worst error against 50 digits over the timed poses, relative to |K||strain|
   std::vector<ErrorAt> errors;  ///< the same by decade of phi, where the case measures it
   double flops = 0;             ///< of one evaluation, counted; 0: not counted
   double bytes = 0;             ///< read and written by one evaluation

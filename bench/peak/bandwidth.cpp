@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "bench/harness/interleaved.hpp"
+#include "bench/peak/interleaved.hpp"
 #include "bench/peak/isa.hpp"
 
 #ifdef __SSE2__

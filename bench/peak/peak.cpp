@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "bench/harness/interleaved.hpp"
+#include "bench/peak/interleaved.hpp"
 #include "bench/peak/isa.hpp"
 
 namespace halfway::bench {

@@ -1,7 +1,7 @@
 // The kernel joint of a spec, and the registry entry of one formulation's kernel.
 #pragma once
 
-#include "halfway/kernels/core/compensated.hpp"
+#include "halfway/kernels/compensated.hpp"
 #include "reference/face/kernel_convert.hpp"
 
 namespace halfway::reference {

@@ -1,4 +1,5 @@
-// The size of an error, and the worst of several: what measured nothing is NaN, and a NaN is the worst of all.
+// The size of an error, and the worst of several: what measured nothing is NaN, and a NaN is the worst of
+// all.
 //
 // Folded with std::max or by comparing, an error that is not a number would be forgotten. Errors have no
 // order: they fold by include() and keep_largest() alone, and verify/packaging/folds holds the sources to it.

@@ -1,4 +1,5 @@
-// Other programs' joints from their sources and manuals (formulations/NOTATION.md), in global axes; see closed_forms.hpp.
+// Other programs' joints from their sources and manuals (formulations/NOTATION.md), in global axes; see
+// closed_forms.hpp.
 #pragma once
 
 #include "reference/truth/closed_forms.hpp"

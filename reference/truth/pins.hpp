@@ -1,8 +1,8 @@
 // The Euler-angle joints as mechanisms of pins and slides: three slides carry three pins, each with a spring.
 //
-// The angles of the pins are given and the poses follow from them, so no angle is ever read off a rotation; the
-// moment follows from virtual work, by the axes of the pins in global axes. Nothing here calls the rotations or the
-// measures of formulations/.
+// The angles of the pins are given and the poses follow from them, so no angle is ever read off a rotation;
+// the moment follows from virtual work, by the axes of the pins in global axes. Nothing here calls the
+// rotations or the measures of formulations/.
 #pragma once
 
 #include "reference/face/joint_spec.hpp"
@@ -76,7 +76,8 @@ Vec3<T> moment_of_pins(const Mat3<T>& axes, const Vec3<T>& torque) {
   return (torque[0] * y.cross(z) + torque[1] * z.cross(x) + torque[2] * x.cross(y)) / x.dot(y.cross(z));
 }
 
-/// (f_a, m_a, f_b, m_b), conjugate to the motion of the nodes, of a force and a moment that b carries at `point`.
+/// (f_a, m_a, f_b, m_b), conjugate to the motion of the nodes, of a force and a moment that b carries at
+/// `point`.
 template <class T>
 Eigen::Matrix<T, 12, 1> at_nodes(const Vec3<T>& force, const Vec3<T>& moment, const Vec3<T>& point,
                                  const Vec3<T>& x_a, const Vec3<T>& x_b) {

@@ -18,7 +18,8 @@ Tally tally(const std::vector<reference::Finding>& findings);
 /// The finding of that name, or nullptr.
 const reference::Finding* find_finding(const Results& results, const std::string& name);
 
-/// The timing of a formulation and kind: of its plain kernel, of its transcription where there is none, or nullptr.
+/// The timing of a formulation and kind: of its plain kernel, of its transcription where there is none, or
+/// nullptr.
 const bench::Timing* find_timing(const Results& results, const std::string& formulation,
                                  const std::string& kind, const std::string& what);
 

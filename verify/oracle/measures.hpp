@@ -39,8 +39,8 @@ JointUnderTest of(const Entry& entry);
 /// a spec are doubles, and their drift would otherwise hide everything below 1e-16.
 Pose<Real50> exact_pose(const Pose<double>& pose, const JointEnd<double>& end);
 
-/// The larger relative difference, of forces or of moments; of no forces, or no moments, the other one alone. NaN of
-/// no loads.
+/// The larger relative difference, of forces or of moments; of no forces, or no moments, the other one alone.
+/// NaN of no loads.
 double loads_apart(const Eigen::Matrix<Real50, 12, 1>& q, const Eigen::Matrix<Real50, 12, 1>& other);
 
 /// |f_a + f_b| / |f_b|.

@@ -16,9 +16,10 @@ void add_property(Checks& checks, const std::string& property, std::initializer_
                   const std::function<Finding(const Entry&, Kind, Draft)>& measure) {
   for (const Entry& entry : reference::formulations()) {
     for (Kind kind : kinds) {
-      checks.push_back({property_name(entry, kind, property), "properties", [&entry, kind, property, measure] {
-                          return std::vector{measure(entry, kind, property_finding(entry, kind, property))};
-                        }});
+      checks.push_back(
+          {property_name(entry, kind, property), "properties", [&entry, kind, property, measure] {
+             return std::vector{measure(entry, kind, property_finding(entry, kind, property))};
+           }});
     }
   }
 }

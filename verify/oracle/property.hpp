@@ -11,7 +11,8 @@ namespace halfway::verify {
 /// entry/kind/property
 std::string property_name(const Entry& entry, Kind kind, const std::string& property);
 
-/// A finding of one formulation and kind, name filled in; the caller says what was measured, held how, by whom.
+/// A finding of one formulation and kind, name filled in; the caller says what was measured, held how, by
+/// whom.
 Draft property_finding(const Entry& entry, Kind kind, const std::string& property);
 
 /// Adds `entry/kind/property` for every formulation, for the kinds given.

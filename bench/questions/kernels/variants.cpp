@@ -2,7 +2,7 @@
 // and what joints without ends save.
 #include "bench/questions/kernels/kernel_case.hpp"
 
-#include "halfway/kernels/core/compensated.hpp"
+#include "halfway/kernels/compensated.hpp"
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/jointc.hpp"

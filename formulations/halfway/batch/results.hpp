@@ -3,7 +3,7 @@
 
 #include "halfway/batch/job.hpp"
 #include "halfway/batch/pack.hpp"
-#include "halfway/kernels/core/dual.hpp"
+#include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/loads.hpp"
 
 namespace halfway::batch::detail {

@@ -4,7 +4,7 @@
 #include "halfway/batch/law.hpp"
 #include "halfway/batch/results.hpp"
 #include "halfway/batch/same.hpp"
-#include "halfway/kernels/core/dual.hpp"
+#include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/joint.hpp"
 
 namespace halfway::batch::detail {

@@ -9,7 +9,8 @@ using Euler312 = EulerMeasure<2, 0, 1>;
 using Euler123 = EulerMeasure<0, 1, 2>;
 using Euler321 = EulerMeasure<2, 1, 0>;
 
-/// Body 3-1-2 angles as a moment vector in the frame of node a; reproduces Table 1 (reference/data/paper, errata).
+/// Body 3-1-2 angles as a moment vector in the frame of node a; reproduces Table 1 (reference/data/paper,
+/// errata).
 struct FieldA : Family<FrameA, Euler312, Projected> {
   static constexpr const char* name = "field_a";
   static constexpr const char* stands_for = "MSC/ADAMS FIELD, law at node a";

@@ -1,7 +1,7 @@
 // When a wrong twin counts as seen.
 #pragma once
 
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 
@@ -17,21 +17,23 @@ inline constexpr double kMargin = 100;
 
 inline std::vector<Finding> verdicts(const std::string& name, const std::string& measure,
                                      const Measurement& mutant, const Measurement& healthy, double limit) {
-  // A function that returns NaN where it should not is seen as well; a measure without any probe sees nothing.
+  // A function that returns NaN where it should not is seen as well; a measure without any probe sees
+  // nothing.
   const double share = mutant.is_empty()            ? std::nan("")
                        : std::isnan(mutant.value()) ? 0
                        : mutant.value() > 0         ? kMargin * limit / mutant.value()
                                                     : HUGE_VAL;
-  return {finding(name)
-              .about("mutants")
-              .measured(share, fmt::format("{} = {:.3g} at {}", measure, mutant.value(), mutant.where()))
-              .in("of the defect")
-              .at_most(1, fmt::format("{} must show the mutant {} times beyond its limit of {:.3g}; shown: 1 = "
-                                      "just seen, smaller = seen more clearly",
-                                      measure, kMargin, limit))
-              .by(Oracle::independent),
-          at_most(name + "/healthy", "mutants", healthy, limit, "", Oracle::independent,
-                  "the limit of " + measure + " for the twin without the mistake")};
+  return {
+      finding(name)
+          .about("mutants")
+          .measured(share, fmt::format("{} = {:.3g} at {}", measure, mutant.value(), mutant.where()))
+          .in("of the defect")
+          .at_most(1, fmt::format("{} must show the mutant {} times beyond its limit of {:.3g}; shown: 1 = "
+                                  "just seen, smaller = seen more clearly",
+                                  measure, kMargin, limit))
+          .by(Oracle::independent),
+      at_most(name + "/healthy", "mutants", healthy, limit, "", Oracle::independent,
+              "the limit of " + measure + " for the twin without the mistake")};
 }
 
 inline void add_mutant(Checks& checks, const char* name, const char* measure, double limit,

@@ -1,6 +1,6 @@
 // Loads of the registry against the formulas of their sources, transcribed in reference/closed_forms.
 #include "reference/truth/closed_forms_peers.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 #include "verify/oracle/twins.hpp"
 
 #include <fmt/format.h>

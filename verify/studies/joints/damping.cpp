@@ -1,5 +1,5 @@
 // Kelvin-Voigt dampers: objective, passive, and their rates by a road of their own.
-#include "halfway/joint/damping.hpp"
+#include "halfway/damping.hpp"
 
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
@@ -120,7 +120,8 @@ Finding passive(const std::string& name, const Powers& p, bool conjugate) {
   }
   return finding(name)
       .about("damping")
-      .measured(p.ratio.low(), fmt::format("{:.3g} ... {:.3g} over random motions", p.ratio.low(), p.ratio.high()))
+      .measured(p.ratio.low(),
+                fmt::format("{:.3g} ... {:.3g} over random motions", p.ratio.low(), p.ratio.high()))
       .in("power over e' . C e', the smallest")
       .reported("the moment is turned with the frame and not by the rate of the strain: not held");
 }

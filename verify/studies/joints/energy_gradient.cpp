@@ -4,12 +4,13 @@
 namespace halfway::verify {
 
 void energy_gradient(Checks& checks) {
-  add_property(checks, "energy_gradient", {Kind::angular, Kind::linear, Kind::linear_angular},
-               [](const Entry& entry, Kind kind, Draft f) {
-                 if (!entry.has_potential(kind))
-                   return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
-                 return hold(f, energy_gradient(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::independent);
-               });
+  add_property(
+      checks, "energy_gradient", {Kind::angular, Kind::linear, Kind::linear_angular},
+      [](const Entry& entry, Kind kind, Draft f) {
+        if (!entry.has_potential(kind))
+          return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
+        return hold(f, energy_gradient(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::independent);
+      });
 }
 
 }  // namespace halfway::verify

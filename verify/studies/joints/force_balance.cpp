@@ -6,7 +6,8 @@ namespace halfway::verify {
 void force_balance(Checks& checks) {
   add_property(checks, "force_balance", {Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
-                 return hold(f, force_balance(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::closed_form);
+                 return hold(f, force_balance(of(entry), probes(entry, kind, 8, 3.0)), {},
+                             Oracle::closed_form);
                });
 }
 

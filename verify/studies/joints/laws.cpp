@@ -48,13 +48,14 @@ std::vector<Finding> callable() {
     const Vec3<double> column = (8 * (at(e(1)) - at(e(-1))) - (at(e(2)) - at(e(-2)))) / (12 * h);
     worst.include((column - tangent.col(i)).norm() / tangent.norm(), fmt::format("column {}", i + 1));
   }
-  return {finding("laws/callable/tangent")
-              .about("laws")
-              .measured(worst)
-              .in("relative")
-              .at_most(1e-10,
-                       "fourth-order central differences with a step of 1e-4: h^4 and eps/h are both near 1e-12")
-              .by(Oracle::independent)};
+  return {
+      finding("laws/callable/tangent")
+          .about("laws")
+          .measured(worst)
+          .in("relative")
+          .at_most(1e-10,
+                   "fourth-order central differences with a step of 1e-4: h^4 and eps/h are both near 1e-12")
+          .by(Oracle::independent)};
 }
 
 /// The joint in another scalar: the same moment to that scalar's rounding.
@@ -70,7 +71,8 @@ Finding scalar(const char* name) {
   b_double.R = so3::exp<double>({0.25, -0.5, 0.75});
   const Vec3<double> m = loads<false>(joint, Pose<T>{}, b).m_b.template cast<double>();
   const Vec3<double> expected = loads<false>(joint_double, Pose<double>{}, b_double).m_b;
-  const double eps = larger(double(std::numeric_limits<T>::epsilon()), std::numeric_limits<double>::epsilon());
+  const double eps =
+      larger(double(std::numeric_limits<T>::epsilon()), std::numeric_limits<double>::epsilon());
   return finding(fmt::format("laws/scalar/{}", name))
       .about("laws")
       .measured((m - expected).norm() / expected.norm())

@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* kTruth = "mirror symmetry of the body forces xi = 1/2 at second order";
 
-/// The error of a value, held to that of the formulation's own second-order theory; reported where there is none.
+/// The error of a value, held to that of the formulation's own second-order theory; reported where there is
+/// none.
 Finding held(Draft f, double value, const std::optional<double>& theory, double truth, double uncertainty,
              double limit, const std::string& where) {
   f.measured(std::abs(value / truth - 1), where).in("relative").by(Oracle::closed_form, uncertainty);
@@ -21,7 +22,8 @@ Finding held(Draft f, double value, const std::optional<double>& theory, double 
                  std::string(kTruth) + "; held to what second-order theory makes of this formulation");
 }
 
-/// What third orders may add, in phi^2 of the second: their coefficients are ratios of compliances, 36 at most.
+/// What third orders may add, in phi^2 of the second: their coefficients are ratios of compliances, 36 at
+/// most.
 constexpr double kNextOrder = 36;
 /// Of the moment of a force about a node that does not turn, which is exact: a dozen roundings.
 constexpr double kRounded = 1e-14;
@@ -35,8 +37,8 @@ Finding of_moment(const Entry& entry, Draft f) {
   const double phi = F.cwiseProduct(m).norm();
   const double value = double(rotation_at(c2.name, entry, entry.probe_xi, 1)[1]);
   const auto theory = response_to_moment(entry, F, m);
-  return held(f, value, theory ? std::optional((*theory)[1]) : std::nullopt, truth, phi * phi, kNextOrder * phi * phi,
-              "c2_parallelepiped_small, theta_y at 1 N m");
+  return held(f, value, theory ? std::optional((*theory)[1]) : std::nullopt, truth, phi * phi,
+              kNextOrder * phi * phi, "c2_parallelepiped_small, theta_y at 1 N m");
 }
 
 /// theta_2 under the force of C6 at factor 1. The truth's next order is the strain of the body:

@@ -7,7 +7,7 @@ void moment_balance(Checks& checks) {
   add_property(checks, "moment_balance", {Kind::angular, Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
                  return hold(f, moment_balance(of(entry), probes(entry, kind, 8, 0.8)),
-                      entry.facts.moment_balance.of(kind), Oracle::closed_form);
+                             entry.facts.moment_balance.of(kind), Oracle::closed_form);
                });
 }
 

@@ -1,4 +1,5 @@
-// Euler-angle joints against mechanisms of three pins and three slides, whose angles are given and never read off.
+// Euler-angle joints against mechanisms of three pins and three slides, whose angles are given and never read
+// off.
 #include "reference/truth/pins.hpp"
 
 #include "reference/numbers/random.hpp"
@@ -18,7 +19,7 @@ using Loads50 = Eigen::Matrix<Real50, 12, 1>;
 struct Mechanism {
   const char* formulation;
   pins::Order order;
-  bool on_pins;     ///< torques by springs in the pins; else by couples along the axes of the slides' node
+  bool on_pins;      ///< torques by springs in the pins; else by couples along the axes of the slides' node
   bool slides_on_b;  ///< and the force acts at a's joint point
 };
 constexpr Mechanism kMechanisms[] = {{"simbody_xyz", {0, 1, 2}, true, false},

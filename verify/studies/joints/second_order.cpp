@@ -43,11 +43,12 @@ Finding force_response(const Entry& entry, double xi, Draft f) {
 void second_order(Checks& checks) {
   add_property(checks, "second_order_moment", {Kind::angular},
                [](const Entry& entry, Kind, Draft f) { return moment_response(entry, f); });
-  add_property(checks, "second_order_force", {Kind::linear_angular}, [](const Entry& entry, Kind, Draft f) -> Finding {
-    const auto xi = force_frame(entry);
-    if (xi) return force_response(entry, *xi, f);
-    return f.left_out("not one of the paper's forms: no theory for its force");
-  });
+  add_property(checks, "second_order_force", {Kind::linear_angular},
+               [](const Entry& entry, Kind, Draft f) -> Finding {
+                 const auto xi = force_frame(entry);
+                 if (xi) return force_response(entry, *xi, f);
+                 return f.left_out("not one of the paper's forms: no theory for its force");
+               });
 }
 
 }  // namespace halfway::verify

@@ -7,11 +7,13 @@
 
 namespace halfway::verify {
 
-/// The frame xi of the force; none for a formulation whose force has no such frame, or that is not known here.
+/// The frame xi of the force; none for a formulation whose force has no such frame, or that is not known
+/// here.
 std::optional<double> force_frame(const Entry& entry);
 
 /// Rotation of node b under a fixed moment m, F the diagonal compliance, to second order in m; none where the
 /// formulation has no fingerprint and is not known here.
-std::optional<Vec3<double>> response_to_moment(const Entry& entry, const Vec3<double>& F, const Vec3<double>& m);
+std::optional<Vec3<double>> response_to_moment(const Entry& entry, const Vec3<double>& F,
+                                               const Vec3<double>& m);
 
 }  // namespace halfway::verify

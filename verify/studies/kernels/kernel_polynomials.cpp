@@ -5,7 +5,7 @@
 // differentiation. The limit is what interpolation can leave, from the function's own Chebyshev series.
 #include "halfway/kernels/core/coefficients.hpp"
 #include "reference/numbers/precision.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 

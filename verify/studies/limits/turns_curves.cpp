@@ -1,4 +1,4 @@
-#include "halfway/rotations/unwrapped.hpp"
+#include "halfway/joint/unwrapped.hpp"
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/potentials.hpp"

@@ -1,9 +1,9 @@
 // Joints that are wound by the unwrapped rotation vector: no moment is lost at pi, and tangents hold beyond.
-#include "halfway/rotations/unwrapped.hpp"
+#include "halfway/joint/unwrapped.hpp"
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/potentials.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 

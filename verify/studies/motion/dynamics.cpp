@@ -1,7 +1,7 @@
 // The integrators themselves, against motions that are known in closed form and against each other.
 #include "reference/solve/dynamics/drift.hpp"
 #include "reference/solve/dynamics/runge_kutta.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_elljac.h>

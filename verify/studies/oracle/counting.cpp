@@ -2,7 +2,7 @@
 #include "reference/numbers/counting.hpp"
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // A NaN fails, wherever among the numbers it stands, and so does what measured or was judged by nothing.
 #include "verify/oracle/worst.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <cmath>
 #include <limits>

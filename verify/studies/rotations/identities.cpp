@@ -2,7 +2,7 @@
 //
 // Perturbations are dual numbers, so no identity is checked against another formula for its derivative.
 #include "reference/truth/closed_forms.hpp"
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 #include "verify/oracle/identity_terms.hpp"
 
 #include <fmt/format.h>

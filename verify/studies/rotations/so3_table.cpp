@@ -1,5 +1,5 @@
 // The accuracy contract of formulations/so3.hpp: one row per function and scalar.
-#include "verify/findings.hpp"
+#include "verify/oracle/findings.hpp"
 #include "verify/oracle/so3_measure.hpp"
 
 namespace halfway::verify {

@@ -1,6 +1,6 @@
 // The unwrapped rotation vector over several turns, against paths whose vector is known in closed form.
-#include "halfway/rotations/unwrapped.hpp"
-#include "verify/findings.hpp"
+#include "halfway/joint/unwrapped.hpp"
+#include "verify/oracle/findings.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "bench/harness/flops.hpp"
 #include "bench/questions/kernels/kernel_joint.hpp"
-#include "halfway/kernels/core/compensated.hpp"
+#include "halfway/kernels/compensated.hpp"
 #include "reference/face/registry.hpp"
 #include "reference/numbers/counting.hpp"
 
