@@ -47,6 +47,16 @@ std::vector<std::string> outputs_of(Kind kind) {
   return all;
 }
 
+/// Is there a moment about the axis alone wherever the joint turns about it alone?
+bool is_principal(const LawSpec& law, int axis) {
+  const auto* linear = std::get_if<LinearSpec>(&law);
+  if (!linear) return true;  // a polynomial for each axis
+  for (int i = 0; i < 3; ++i) {
+    if (i != axis && linear->matrix(i, axis) != 0) return false;
+  }
+  return true;
+}
+
 void read_path(const Field& path, Scene& scene) {
   path.has_only({"factor_end", "points", "critical_axis"});
   scene.factor_end = path.at("factor_end", "a number > 0").positive();
@@ -55,6 +65,9 @@ void read_path(const Field& path, Scene& scene) {
     if (scene.joint.kind != Kind::angular)
       axis->refuse("is asked of a joint that is not angular", "angular joints");
     scene.critical_axis = axis->integer(1, 3);
+    if (!is_principal(scene.joint.law, scene.critical_axis - 1))
+      axis->refuse("is no principal axis of the law: a turn about it needs moments about the others",
+                   "a joint axis whose row of the law has its diagonal entry alone");
   }
 }
 

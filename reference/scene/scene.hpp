@@ -43,8 +43,9 @@ struct SceneReference {
   double xi = 0.5;  ///< of a formulation that has one
 };
 
-/// critical_moment (N m) and critical_angle (rad): the first singular tangent under a moment about
-/// Scene::critical_axis. They belong to the joint, not to a load factor; `factor` is 0 for them.
+/// critical_moment (N m) and critical_angle (rad): the first singular tangent under a moment about the joint
+/// axis Scene::critical_axis, counted from the unstrained pose whatever frames the nodes have. They belong to
+/// the joint, not to a load factor; `factor` is 0 for them.
 bool is_critical(const std::string& output);
 
 struct Scene {

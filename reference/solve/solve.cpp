@@ -68,6 +68,13 @@ Curve empty_curve(const Scene& scene, const Choice& choice) {
   return curve;
 }
 
+std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice) {
+  if (scene.critical_axis == 0 || !choice.entry) return std::nullopt;
+  JointSpec spec = scene.joint;
+  spec.xi = choice.xi;
+  return first_buckling(*choice.entry, spec, scene.critical_axis - 1);
+}
+
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
   Curve curve = empty_curve(scene, choice);
   if (choice.entry) {

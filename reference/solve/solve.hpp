@@ -3,8 +3,10 @@
 
 #include "reference/scene/names.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/solve/buckling.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct Curve {
   std::string outcome;                    ///< for people: "converged" or why not, and where
   int iterations = 0;                     ///< Newton iterations of the whole path
   double residual = 0;                    ///< at the last point, relative to the load
+  std::optional<Buckling> critical{};     ///< about Scene::critical_axis, see critical_state
 };
 
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.
@@ -38,6 +41,10 @@ using Told = std::function<void(int done, int total)>;
 
 /// Solves `scene` with one choice. Never throws for a path that ends early: the outcome says so.
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {});
+
+/// The first critical state of a choice about the scene's critical_axis; nothing where the scene does not
+/// ask, and where there is none below pi.
+std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
 
 /// The curve of a choice before it is solved: names and columns, no rows.
 Curve empty_curve(const Scene& scene, const Choice& choice);

@@ -65,6 +65,7 @@ std::vector<reference::Curve> solve_all(const RunOptions& options, const referen
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
     curves.push_back(solve(options, scene, choice));
+    curves.back().critical = reference::critical_state(scene, choice);
     tell(fmt::format("[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
                      curves.back().outcome));
   }
@@ -82,6 +83,7 @@ void write_curves(const RunOptions& options, const reference::Scene& scene,
     print("wrote " + printable((folder / name).string()) + "\n");
   };
   if (wants("csv")) write("curve.csv", curves_csv(curves));
+  if (wants("csv") && scene.critical_axis != 0) write("critical.csv", critical_csv(scene, curves));
   if (wants("json")) write("curve.json", curves_json(scene, curves, left_out));
   if (wants("svg")) write("curve.svg", curves_svg(scene, curves));
 }
@@ -97,7 +99,7 @@ void run(const RunOptions& options) {
   for (const std::string& note : scene.notes) tell("halfway: note: " + printable(note) + "\n");
   const auto curves = solve_all(options, scene, choices);
   const auto missing = options.formulations.empty() ? left_out(scene, choices) : std::vector<LeftOut>{};
-  print(curves_table(curves, missing));
+  print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
   if (std::ranges::none_of(curves, &reference::Curve::converged)) {
     throw FailedRun(

@@ -14,6 +14,25 @@ bool has_free_xi(const reference::Curve& curve) {
   return entry && entry->needs_xi;
 }
 
+std::string xi_text(const reference::Curve& curve) {
+  return has_free_xi(curve) ? fmt::format("{:.17g}", curve.xi) : "";
+}
+
+nlohmann::ordered_json critical_json(const reference::Scene& scene, const reference::Curve& curve) {
+  if (!curve.critical) return nullptr;
+  return {{"axis", scene.critical_axis},
+          {"moment", double(curve.critical->moment)},
+          {"angle", double(curve.critical->angle)}};
+}
+
+/// The linear analysis knows no critical state: it is not asked.
+std::string critical_cells(const reference::Curve& curve) {
+  if (curve.critical)
+    return fmt::format(" {:>15.9g} {:>15.9g}", double(curve.critical->moment), double(curve.critical->angle));
+  const char* none = curve.formulation == reference::kLinearized ? "-" : "none";
+  return fmt::format(" {:>15} {:>15}", none, none);
+}
+
 }  // namespace
 
 std::string curve_label(const reference::Curve& curve) {
@@ -24,10 +43,23 @@ std::string curves_csv(const std::vector<reference::Curve>& curves) {
   if (curves.empty()) return "";
   std::string out = fmt::format("formulation,xi,{}\n", fmt::join(curves.front().columns, ","));
   for (const auto& curve : curves) {
-    const std::string xi = has_free_xi(curve) ? fmt::format("{:.17g}", curve.xi) : "";
     for (const auto& row : curve.rows) {
-      fmt::format_to(std::back_inserter(out), "{},{},{:.17g}\n", curve.formulation, xi, fmt::join(row, ","));
+      fmt::format_to(std::back_inserter(out), "{},{},{:.17g}\n", curve.formulation, xi_text(curve),
+                     fmt::join(row, ","));
     }
+  }
+  return out;
+}
+
+std::string critical_csv(const reference::Scene& scene, const std::vector<reference::Curve>& curves) {
+  std::string out = "formulation,xi,axis,critical_moment,critical_angle\n";
+  for (const auto& curve : curves) {
+    if (curve.formulation == reference::kLinearized) continue;
+    const std::string state = curve.critical ? fmt::format("{:.17g},{:.17g}", double(curve.critical->moment),
+                                                           double(curve.critical->angle))
+                                             : ",";
+    fmt::format_to(std::back_inserter(out), "{},{},{},{}\n", curve.formulation, xi_text(curve),
+                   scene.critical_axis, state);
   }
   return out;
 }
@@ -45,6 +77,7 @@ std::string curves_json(const reference::Scene& scene, const std::vector<referen
     item["outcome"] = curve.outcome;
     item["iterations"] = curve.iterations;
     item["residual"] = curve.residual;
+    if (scene.critical_axis != 0) item["critical"] = critical_json(scene, curve);
     item["columns"] = curve.columns;
     item["rows"] = curve.rows;
     out["curves"].push_back(std::move(item));
@@ -55,13 +88,15 @@ std::string curves_json(const reference::Scene& scene, const std::vector<referen
   return out.dump(1) + "\n";
 }
 
-std::string curves_table(const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
+std::string curves_table(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
+                         const std::vector<LeftOut>& left_out) {
   if (curves.empty()) return "";
   std::size_t width = 11;
   for (const auto& curve : curves) width = std::max(width, curve_label(curve).size());
   std::string out = fmt::format("{:<{}}", "formulation", width);
   for (const auto& column : curves.front().columns)
     fmt::format_to(std::back_inserter(out), " {:>15}", column);
+  if (scene.critical_axis != 0) out += " critical_moment  critical_angle";
   out += "  iterations  residual  outcome\n";
   for (const auto& curve : curves) {
     fmt::format_to(std::back_inserter(out), "{:<{}}", curve_label(curve), width);
@@ -69,6 +104,7 @@ std::string curves_table(const std::vector<reference::Curve>& curves, const std:
       const std::string value = curve.rows.empty() ? "-" : fmt::format("{:.9g}", curve.rows.back()[i]);
       fmt::format_to(std::back_inserter(out), " {:>15}", value);
     }
+    if (scene.critical_axis != 0) out += critical_cells(curve);
     fmt::format_to(std::back_inserter(out), "  {:>10}  {:>8.1e}  {}\n", curve.iterations, curve.residual,
                    curve.outcome);
   }

@@ -15,11 +15,19 @@ std::string curve_label(const reference::Curve& curve);
 /// Numbers have 17 significant digits.
 std::string curves_csv(const std::vector<reference::Curve>& curves);
 
+/// One row per formulation: formulation, xi, axis (1, 2, 3, of the joint), critical_moment (N m),
+/// critical_angle (rad, from the unstrained pose); the last two empty where there is none below pi.
+std::string critical_csv(const reference::Scene& scene, const std::vector<reference::Curve>& curves);
+
 /// {"schema": "halfway-run-1", "scene", "title", "curves": [...], "left_out": [...]}; rows follow "columns".
+/// Where the scene has a critical_axis, each curve has "critical": {"axis", "moment", "angle"}, or null where
+/// there is none.
 std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
                         const std::vector<LeftOut>& left_out);
 
-/// The last row of every curve with outcome, iterations and residual; then what was left out and why.
-std::string curves_table(const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out);
+/// The last row of every curve with outcome, iterations and residual, and the critical state where asked;
+/// then what was left out and why.
+std::string curves_table(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
+                         const std::vector<LeftOut>& left_out);
 
 }  // namespace halfway::reports

@@ -57,6 +57,11 @@ ArcMatrix<T> ContinuationStep<T>::equilibrium_rows(const ArcState<T>& at) const 
 }
 
 template <class T>
+ArcVector<T> ContinuationStep<T>::imbalance(const ArcState<T>& at) const {
+  return bordered(at).imbalance.head(problem_.unknowns());
+}
+
+template <class T>
 Correction<T> ContinuationStep<T>::corrected(const ArcState<T>& base, const ArcVector<T>& normal,
                                              const T& distance, const ArcState<T>& start) const {
   const int n = problem_.unknowns();

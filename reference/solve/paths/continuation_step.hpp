@@ -60,6 +60,8 @@ class ContinuationStep {
   ArcVector<T> difference(const ArcState<T>& from, const ArcState<T>& to) const;
   /// The scaled tangent stiffness with the scaled load as last column: n rows, n + 1 columns.
   ArcMatrix<T> equilibrium_rows(const ArcState<T>& at) const;
+  /// applied - internal, scaled as the rows.
+  ArcVector<T> imbalance(const ArcState<T>& at) const;
 
   /// Newton from `start` to the point of the path with normal . difference(base, point) = distance,
   /// to rounding.

@@ -1,5 +1,6 @@
 #include "reference/solve/paths/singular.hpp"
 
+#include "reference/solve/paths/branching.hpp"
 #include "reference/solve/paths/singular_algebra.hpp"
 
 #include <algorithm>
@@ -105,16 +106,38 @@ void complete_branching(const ContinuationStep<Real50>& step, const ArcState<Rea
   point.across = best.normalized();
 }
 
-SingularPoint described(const ContinuationStep<Real50>& step, Singularity type, const Trial& root,
-                        double located_to) {
+SingularPoint described(const ContinuationStep<Real50>& step, Singularity type, const ArcState<Real50>& state,
+                        const ArcVector<double>& tangent, double located_to) {
   SingularPoint out;
   out.type = type;
-  out.state = narrowed(root.state);
-  out.phi = double(turn_from_rest(step.problem(), root.state.b));
+  out.state = narrowed(state);
+  out.phi = double(turn_from_rest(step.problem(), state.b));
   out.located_to = located_to;
-  out.tangent = root.tangent;
-  if (type == Singularity::branching) complete_branching(step, root.state, out);
+  out.tangent = tangent;
+  if (type == Singularity::branching) complete_branching(step, state, out);
   return out;
+}
+
+/// The branching between two points: crossed, where rounding alone parts its paths; else they turn off before
+/// it and the two points lie on different ones. Nothing where there is none.
+std::optional<Located> branching_between(const ContinuationStep<Real50>& step, const Trial& base,
+                                         const Trial& end, const ArcVector<Real50>& tangent) {
+  const Real50 share = base.value / (base.value - end.value);
+  const ArcVector<Real50> way = step.difference(base.state, end.state);
+  const auto found = defined_branching(step, step.moved(base.state, ArcVector<Real50>(share * way)));
+  if (!found) return std::nullopt;
+  const ArcVector<Real50> gone = step.difference(base.state, found->state);
+  const Real50 along = tangent.dot(gone), aside = (gone - along * tangent).norm();
+  const bool between = along >= Real50(0) && along <= end.distance && aside <= end.distance / Real50(4);
+  if (!between) return std::nullopt;
+  if (!(found->defect <= found->rounding)) return Located{SignChange::jump, {}};
+  const ArcVector<double> towards = narrowed(way);
+  const auto& [one, other] = found->tangents;
+  const ArcVector<double> own = std::abs(one.dot(towards)) > std::abs(other.dot(towards)) ? one : other;
+  SingularPoint out = described(step, Singularity::branching, found->state,
+                                own.dot(towards) < 0 ? ArcVector<double>(-own) : own, found->change);
+  out.defect = found->defect;
+  return Located{SignChange::zero, out};
 }
 
 }  // namespace
@@ -133,6 +156,10 @@ Located locate(const ContinuationStep<Real50>& step, Singularity type, const Arc
   if (!bracket.low.converged || !bracket.high.converged) return {};
   if (narrowed(step.difference(bracket.high.state, widened(end))).norm() > kSamePoint) return {};
   if (!opposite(bracket.low.value, bracket.high.value)) return {SignChange::none, {}};
+  if (type == Singularity::branching) {
+    const auto found = branching_between(step, bracket.low, bracket.high, widened(tangent));
+    if (found) return *found;
+  }
   // A load factor that stays the same along a whole path turns back nowhere.
   const Real50 least(type == Singularity::fold ? 1e-12 : 0);
   const Real50 highest = std::max(abs(bracket.low.value), abs(bracket.high.value));
@@ -144,7 +171,8 @@ Located locate(const ContinuationStep<Real50>& step, Singularity type, const Arc
     if (!trial.converged) return {};
     const bool settled = abs(trial.distance - before.distance) < close || trial.value == Real50(0);
     if (settled && abs(trial.value) <= gone * highest)
-      return {SignChange::zero, described(step, type, trial, change(before, trial, step.problem()))};
+      return {SignChange::zero,
+              described(step, type, trial.state, trial.tangent, change(before, trial, step.problem()))};
     if (settled) break;
     bracket.narrow(trial);
     before = trial;

@@ -1,4 +1,5 @@
-// Singular points of a path, located at 50 digits: folds and simple branchings, told from poles and jumps.
+// Singular points of a path, located at 50 digits: folds and simple branchings, told from poles and jumps. A
+// branching whose paths are parted by no more than the rounding of the problem in double is one.
 #pragma once
 
 #include "reference/solve/paths/continuation_step.hpp"
@@ -20,6 +21,7 @@ struct SingularPoint {
   ArcVector<double> tangent{};  ///< of the path that was followed
   ArcVector<double> across{};   ///< of a branching: at right angles to it, in the plane of both paths
   bool simple = true;           ///< no further direction is singular
+  double defect = 0;  ///< of a branching: the imbalance, over the stiffness at rest, that parts its paths
 };
 
 /// What a change of sign turned out to be.

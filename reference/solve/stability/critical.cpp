@@ -18,31 +18,19 @@ constexpr double kNothing = 1e-9;    // of the stiffness: rounding of moments is
 constexpr double kRounding = 1e-13;  // of a sixth power of rates in double
 
 template <class T>
-Mat3<T> about(int axis, const T& angle) {
-  return so3::exp<T>(angle * Vec3<T>::Unit(axis));
-}
-
-template <class T>
-AngularLoads<T> internal(const Entry& entry, const JointSpec& spec, const Mat3<T>& R) {
-  Pose<T> b;
-  b.R = R;
-  return entry.in<T>().angular(spec, Pose<T>{}, b, true);
-}
-
-template <class T>
-LoadedState<T> with_moment(const AngularLoads<T>& inside, const Mat3<T>& R, int axis,
-                           const MomentSetting& setting, const T& angle) {
+LoadedState<T> with_moment(const TurnedJoint<T>& joint, int axis, const MomentSetting& setting,
+                           const T& angle) {
   const MomentLoad<T> load{setting.type, axis, setting.square_unstrained ? T(0) : angle};
-  const AppliedMoment<T> unit = applied_moment<T>(load, T(1), R);
-  const T M = inside.m_b[axis] / unit.m_M[axis];
-  return {R, inside.m_b_wb - M * unit.m_w, M};
+  const AppliedMoment<T> unit = applied_moment<T>(load, T(1), about(axis, angle));
+  const T M = joint.m[axis] / unit.m_M[axis];
+  return {joint.R, joint.m_w - M * unit.m_w, M};
 }
 
 /// Does a state without moment across the axis exist here? @param scale  N m
-bool on_axis(const AngularLoads<double>& loads, int axis, double scale) {
-  Vec3<double> across = loads.m_b;
+bool on_axis(const TurnedJoint<double>& joint, int axis, double scale) {
+  Vec3<double> across = joint.m;
   across[axis] = 0;
-  return loads.m_b_wb.allFinite() && across.norm() <= kNothing * scale;
+  return joint.m_w.allFinite() && across.norm() <= kNothing * scale;
 }
 
 /// The last angle at which `holds`, which it does at `low` and does not at `high`.
@@ -75,15 +63,15 @@ const char* to_string(const MomentSetting& setting) {
 
 template <class T>
 LoadedState<T> loaded_state(const Entry& entry, const JointSpec& spec, int axis, const MomentSetting& setting,
-                            const T& angle) {
-  const Mat3<T> R = about(axis, angle);
-  return with_moment(internal(entry, spec, R), R, axis, setting, angle);
+                            const T& angle, bool nodes_exchanged) {
+  const auto joint = turned_joint<T>(entry, spec, about(axis, angle), nodes_exchanged);
+  return with_moment(joint, axis, setting, angle);
 }
 
 template LoadedState<double> loaded_state(const Entry&, const JointSpec&, int, const MomentSetting&,
-                                          const double&);
+                                          const double&, bool);
 template LoadedState<Real50> loaded_state(const Entry&, const JointSpec&, int, const MomentSetting&,
-                                          const Real50&);
+                                          const Real50&, bool);
 
 const char* to_string(SearchEnd end) {
   switch (end) {
@@ -101,21 +89,23 @@ StabilityKind CriticalLoads::first() const {
   return divergence ? StabilityKind::divergence : StabilityKind::stable;
 }
 
-PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis)
-    : entry_(entry), spec_(std::move(spec)), axis_(axis) {
+PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis, bool nodes_exchanged)
+    : entry_(entry), spec_(std::move(spec)), axis_(axis), nodes_exchanged_(nodes_exchanged) {
   samples_.reserve(kSteps + 1);
-  const auto loads_at = [&](double angle) { return internal(entry_, spec_, about(axis_, angle)); };
-  double scale = loads_at(0).m_b_wb.norm();
+  const auto joint_at = [&](double angle) {
+    return turned_joint<double>(entry_, spec_, about(axis_, angle), nodes_exchanged_);
+  };
+  double scale = joint_at(0).m_w.norm();
   for (int i = 0; i <= kSteps; ++i) {
     const double angle = (kPi - 1e-6) * i / kSteps;
-    const AngularLoads<double> now = loads_at(angle);
+    const TurnedJoint<double> now = joint_at(angle);
     if (!on_axis(now, axis_, scale)) {
-      const auto holds = [&](double x) { return on_axis(loads_at(x), axis_, scale); };
+      const auto holds = [&](double x) { return on_axis(joint_at(x), axis_, scale); };
       end_angle_ = last_angle(holds, end_angle_, angle);
       end_ = SearchEnd::off_axis;
       return;
     }
-    scale = std::max(scale, std::abs(now.m_b[axis_]));
+    scale = std::max(scale, std::abs(now.m[axis_]));
     samples_.push_back({angle, now});
     end_angle_ = angle;
   }
@@ -123,12 +113,13 @@ PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis)
 
 CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyInertia& body) const {
   const auto at = [&](const Real50& angle) {
-    const auto p = loaded_state<Real50>(entry_, spec_, axis_, setting, angle);
+    const auto p = loaded_state<Real50>(entry_, spec_, axis_, setting, angle, nodes_exchanged_);
     return characteristic(p.J, body, p.R);
   };
   const auto critical_at = [&](const std::optional<Real50>& angle) -> std::optional<Critical> {
     if (!angle) return std::nullopt;
-    return Critical{loaded_state<Real50>(entry_, spec_, axis_, setting, *angle).load, *angle};
+    return Critical{loaded_state<Real50>(entry_, spec_, axis_, setting, *angle, nodes_exchanged_).load,
+                    *angle};
   };
   const Function50 determinant = [&](const Real50& angle) { return determinant_of(at(angle)); };
   const Function50 discriminant = [&](const Real50& angle) { return discriminant_of(at(angle)); };
@@ -136,17 +127,16 @@ CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyIner
   CriticalLoads out{{}, {}, end_angle_, end_};
   double before = 0, before_angle = 0;
   for (const Sample& s : samples_) {
-    const Mat3<double> R = about(axis_, s.angle);
-    const auto point = with_moment<double>(s.loads, R, axis_, setting, s.angle);
+    const auto point = with_moment<double>(s.joint, axis_, setting, s.angle);
     if (s.angle > 0 && !(point.load > 0)) {
       const auto holds = [&](double x) {
-        return loaded_state<double>(entry_, spec_, axis_, setting, x).load > 0;
+        return loaded_state<double>(entry_, spec_, axis_, setting, x, nodes_exchanged_).load > 0;
       };
       out.end_angle = last_angle(holds, before_angle, s.angle);
       out.end = SearchEnd::no_more_load;
       return out;
     }
-    const auto c = characteristic(point.J, body, R);
+    const auto c = characteristic(point.J, body, point.R);
     if (!out.divergence && before != 0 && (c.det < 0) != (before < 0))
       out.divergence = critical_at(sign_change(determinant, before_angle, s.angle));
     const auto d = discriminant_of(c);

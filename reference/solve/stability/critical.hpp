@@ -1,14 +1,16 @@
 // Critical moments of an angular joint along its primary path: rotation about one principal axis.
 //
-// Node a is at the identity, node b at exp(phi e_axis), the moment about the axis is the one that the
-// formulation answers. Semi- and quasi-tangential moments come in two settings: arms square to the forces
-// at each state (then the moment is the magnitude), or in the unstrained state (dead couples: the moment is
-// M cos(phi), which ends the path at a quarter of a turn).
+// The loaded node is turned by phi about a joint axis from the unstrained pose, the moment about the axis is
+// the one that the formulation answers. All is seen from the clamped node's joint frame: frames on the nodes
+// change nothing but the place of the body's inertia. Semi- and quasi-tangential moments come in two
+// settings: arms square to the forces at each state (then the moment is the magnitude), or in the unstrained
+// state (dead couples: the moment is M cos(phi), which ends the path at a quarter of a turn).
 #pragma once
 
 #include "reference/face/registry.hpp"
 #include "reference/solve/stability/kind.hpp"
 #include "reference/solve/stability/moments.hpp"
+#include "reference/solve/turned_joint.hpp"
 
 #include <optional>
 #include <vector>
@@ -30,18 +32,19 @@ inline constexpr MomentSetting kMomentSettings[] = {{MomentType::fixed, false},
                                                     {MomentType::semi_tangential, true}};
 const char* to_string(const MomentSetting& setting);
 
-/// A state of the primary path under one moment.
+/// A state of the primary path under one moment, in the axes of the clamped node's joint frame.
 template <class T>
 struct LoadedState {
-  Mat3<T> R;  ///< orientation of b
+  Mat3<T> R;  ///< orientation of the loaded node
   Mat3<T> J;  ///< tangent of internal minus applied moment, N m
   T load{};   ///< magnitude M, N m
 };
 
-/// T is double or Real50. @param axis  0, 1 or 2. @param angle  rad.
+/// T is double or Real50. @param axis  0, 1 or 2, of the joint. @param angle  rad.
+/// @param nodes_exchanged  the clamped node, whose end is spec.a, is listed as b.
 template <class T>
 LoadedState<T> loaded_state(const Entry& entry, const JointSpec& spec, int axis, const MomentSetting& setting,
-                            const T& angle);
+                            const T& angle, bool nodes_exchanged = false);
 
 struct Critical {
   Real50 load;   ///< M, N m
@@ -68,13 +71,13 @@ struct CriticalLoads {
 /// Primary path of one formulation about one axis, sampled once for all moments and bodies.
 class PrimaryPath {
  public:
-  /// Angular joint without ends whose law has principal axes. `entry` must outlive the path.
-  PrimaryPath(const Entry& entry, JointSpec spec, int axis);
+  /// Angular joint whose law has the axis for a principal one. `entry` must outlive the path.
+  PrimaryPath(const Entry& entry, JointSpec spec, int axis, bool nodes_exchanged = false);
 
   /// First divergence (the determinant changes sign) and first flutter (the discriminant becomes negative),
   /// located to 40 digits at 50. A pole of either is no critical load. Islands narrower than the samples
   /// (2 mrad) are not seen.
-  /// @param setting  of the moment. @param body  at node b; divergence does not depend on it.
+  /// @param setting  of the moment. @param body  at the loaded node; divergence does not depend on it.
   CriticalLoads critical(const MomentSetting& setting, const BodyInertia& body) const;
 
   /// Of the formulation's path, whatever the load. rad.
@@ -83,11 +86,12 @@ class PrimaryPath {
  private:
   struct Sample {
     double angle;
-    AngularLoads<double> loads;
+    TurnedJoint<double> joint;
   };
   const Entry& entry_;
   JointSpec spec_;
   int axis_;
+  bool nodes_exchanged_;
   double end_angle_ = 0;
   SearchEnd end_ = SearchEnd::half_turn;
   std::vector<Sample> samples_;

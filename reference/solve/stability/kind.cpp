@@ -18,7 +18,8 @@ const char* to_string(StabilityKind kind) {
 template <class T>
 Characteristic<T> characteristic(const Mat3<T>& J, const BodyInertia& body, const Mat3<T>& R) {
   const Vec3<T> inverse = body.principal.cast<T>().cwiseInverse();
-  const Mat3<T> A = R * inverse.asDiagonal() * R.transpose() * J;
+  const Mat3<T> axes = R * body.axes.cast<T>();
+  const Mat3<T> A = axes * inverse.asDiagonal() * axes.transpose() * J;
   const T minors = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) + A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1) +
                    A(2, 2) * A(0, 0) - A(2, 0) * A(0, 2);
   return {A.trace(), minors, A.determinant()};
@@ -29,7 +30,8 @@ template Characteristic<Real50> characteristic(const Mat3<Real50>&, const BodyIn
 
 Eigen::MatrixXd mass_matrix(const BodyInertia& body, const Mat3<double>& R, int unknowns) {
   Eigen::MatrixXd M = body.mass * Eigen::MatrixXd::Identity(unknowns, unknowns);
-  M.bottomRightCorner<3, 3>() = R * body.principal.asDiagonal() * R.transpose();
+  const Mat3<double> axes = R * body.axes;
+  M.bottomRightCorner<3, 3>() = axes * body.principal.asDiagonal() * axes.transpose();
   return M;
 }
 

@@ -17,11 +17,12 @@
 
 namespace halfway::reference {
 
-/// The body at node b: mass centre at the node, principal axes those of the node.
+/// The body at the loaded node: mass centre at the node.
 struct BodyInertia {
   std::string name = "1:1:1";
-  Vec3<double> principal{1, 1, 1};  ///< kg m^2; each at most the sum of the two others
-  double mass = 1;                  ///< kg
+  Vec3<double> principal{1, 1, 1};               ///< kg m^2; each at most the sum of the two others
+  double mass = 1;                               ///< kg
+  Mat3<double> axes = Mat3<double>::Identity();  ///< the principal axes in those of the node, one a column
 };
 
 /// mu^3 - trace mu^2 + minors mu - det, the characteristic polynomial of M^-1 J of three rotations.
@@ -38,7 +39,8 @@ struct Characteristic {
   bool positive() const { return trace > T(0) && minors > T(0) && det > T(0); }
 };
 
-/// T is double or Real50. @param J  N m. @param R  orientation of b, which turns the inertia.
+/// T is double or Real50. @param J  N m. @param R  orientation of the node, in the
+/// axes of J, which turns the inertia.
 template <class T>
 Characteristic<T> characteristic(const Mat3<T>& J, const BodyInertia& body, const Mat3<T>& R);
 
@@ -52,7 +54,7 @@ StabilityKind stability_kind(const Characteristic<T>& c) {
   return c.positive() ? StabilityKind::stable : StabilityKind::divergence;
 }
 
-/// M for 3 rotations or (displacements, rotations), global axes.
+/// M for 3 rotations or (displacements, rotations), in the axes that R is given in.
 Eigen::MatrixXd mass_matrix(const BodyInertia& body, const Mat3<double>& R, int unknowns);
 
 /// The eigenvalues mu of M^-1 J, 1/s^2, smallest real part first: the independent road, in double.

@@ -28,18 +28,17 @@ struct Motion {
   double magnitude;
 };
 
-/// y = (quaternion, angular velocity in the axes of b).
+/// y = (quaternion of the body's principal axes seen from the clamped joint frame, angular velocity in them).
 int rate(double, const double* y, double* dy, void* data) {
   const Motion& motion = *static_cast<const Motion*>(data);
   const MotionRequest& request = motion.request;
   const Quaternion q = normalised(y);
   const Vec3<double> w(y[4], y[5], y[6]);
-  Pose<double> b;
-  b.R = so3::matrix(q);
-  const Vec3<double> inside = request.entry->in_double.angular(request.spec, Pose<double>{}, b, false).m_b;
-  const Vec3<double> moment = applied_moment(motion.load, motion.magnitude, b.R).m - inside;
+  const Mat3<double> R = so3::matrix(q), R_ab = R * request.body.axes.transpose() * request.spec.b.H;
+  const Vec3<double> inside = turned_joint<double>(*request.entry, request.spec, R_ab).m;
+  const Vec3<double> moment = applied_moment(motion.load, motion.magnitude, R_ab).m - inside;
   const Vec3<double> spin = request.body.principal.cwiseProduct(w);
-  const Vec3<double> turn = (b.R.transpose() * moment - w.cross(spin)).cwiseQuotient(request.body.principal);
+  const Vec3<double> turn = (R.transpose() * moment - w.cross(spin)).cwiseQuotient(request.body.principal);
   const Quaternion dq = times(q, {0, w / 2});
   dy[0] = dq.w;
   for (int i = 0; i < 3; ++i) {
@@ -58,8 +57,9 @@ DeviationHistory disturbed_motion(const MotionRequest& request, double duration,
   Motion motion{request,
                 {request.setting.type, request.axis, request.setting.square_unstrained ? 0 : request.angle},
                 point.load};
+  const Mat3<double> axes = point.R * request.body.axes;
   const Vec3<double> off = kDisturbance * Vec3<double>(0.48, 0.6, 0.64);
-  const Quaternion start = so3::quaternion<double>(so3::exp<double>(off) * point.R);
+  const Quaternion start = so3::quaternion<double>(so3::exp<double>(off) * axes);
   double y[7] = {start.w, start.v[0], start.v[1], start.v[2], 0, 0, 0}, t = 0;
   gsl_odeiv2_system system{&rate, nullptr, 7, &motion};
   const std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver(
@@ -69,7 +69,7 @@ DeviationHistory disturbed_motion(const MotionRequest& request, double duration,
   out.interval = duration / points;
   for (int i = 1; i <= points; ++i) {
     if (gsl_odeiv2_driver_apply(driver.get(), &t, i * out.interval, y) != GSL_SUCCESS) return out;
-    out.theta.push_back(so3::log<double>(so3::matrix(normalised(y)) * point.R.transpose()));
+    out.theta.push_back(so3::log<double>(so3::matrix(normalised(y)) * axes.transpose()));
   }
   out.finished = true;
   return out;

@@ -18,7 +18,7 @@ struct MotionRequest {
   double angle;  ///< of the equilibrium, rad
 };
 
-/// Deviation from the equilibrium (rotation vector, global axes, rad) at equal intervals.
+/// Deviation from the equilibrium (rotation vector, axes of the clamped joint frame, rad) at equal intervals.
 struct DeviationHistory {
   double interval = 0;  ///< s
   std::vector<Vec3<double>> theta;

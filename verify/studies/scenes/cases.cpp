@@ -1,7 +1,7 @@
 // The canonical cases: every reference value of every scene, in double; and at 50 digits with the
 // node order exchanged (C8) and in a turned global frame.
-#include "reference/solve/buckling.hpp"
 #include "reference/solve/path.hpp"
+#include "reference/solve/solve.hpp"
 #include "verify/check.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneRefer
 std::vector<Finding> critical(const Scene& scene, const std::vector<SceneReference>& references,
                               const Entry& entry) {
   std::vector<Finding> findings;
-  const auto found = reference::first_buckling(entry, scene.joint, scene.critical_axis - 1);
+  const auto found = reference::critical_state(scene, {&entry, references.front().xi});
   for (const SceneReference& r : references) {
     Draft f = expectation(scene, r, "");
     f.measured(!found ? 0 : double(r.output == "critical_moment" ? found->moment : found->angle));

@@ -134,6 +134,11 @@ constexpr Broken kBroken[] = {
      "[[reference]] #!\nsource = \"s\"\noracle = \"printed\"\nfactor = 1\ntolerance = 1e-6\nreason = \"r\"\n"
      "[reference.values]\nintrinsic"},
     {"reference_xi_not_solved", "reference[1].xi = ", "reason = \"r\"", "reason = \"r\"\nxi = 0.7 #!"},
+    {"critical_axis_not_principal", "path.critical_axis = ",
+     "stiffness = [1, 2, 3]\n\n[[load]]\ntype = \"fixed_moment\"\nvalue = [0, 0, 1]\n\n[path]\n",
+     "stiffness = [[1, 0, 0], [0, 2, 1], [0, 1, 3]]\n\n[[load]]\ntype = \"fixed_moment\"\nvalue = [0, 0, "
+     "1]\n\n"
+     "[path]\ncritical_axis = 2 #!\n"},
     {"syntax", "", "factor_end = 10", "factor_end = = 10 #!"},
     {"key_twice", "", "points = 20", "points = 20\npoints = 30 #!"},
 };
