@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -124,7 +123,7 @@ Finding finding(const Entry& entry, const Writing& writing, const char* answer, 
 }
 
 std::vector<Finding> findings(const Entry& entry, const Writing& writing, const Worst& worst) {
-  const double limit = std::max(kCurve, 16 * std::numeric_limits<double>::epsilon() * worst.condition);
+  const double limit = larger(kCurve, 16 * std::numeric_limits<double>::epsilon() * worst.condition);
   const std::string curve_why =
       fmt::format("solutions in double, each to some eps times the condition of its tangent, which is {:.2g}",
                   worst.condition);
