@@ -118,6 +118,26 @@ NodeBalance<T> EquilibriumProblem<T>::balance(const Pose<T>& joint, const T& fac
 }
 
 template <class T>
+NodeMatrix<T> EquilibriumProblem<T>::node_tangent(const Pose<T>& joint, const T& factor) const {
+  using Mat6 = Eigen::Matrix<T, 6, 6>;
+  const JointEnd<T>& loaded = exchanged_ ? a_ : b_;
+  const Pose<T> at = node(joint);
+  const Mat3<T> P_a = exchanged_ ? Mat3<T>(at.R * a_.H) : Mat3<T>(clamped_.R * a_.H);
+  // (dx, w) of the node -> those of its joint point, axes of P_a; loads are carried by the transpose.
+  Mat6 to_point = Mat6::Zero();
+  to_point.template topLeftCorner<3, 3>() = to_point.template bottomRightCorner<3, 3>() = P_a.transpose();
+  to_point.template topRightCorner<3, 3>() = -P_a.transpose() * skew<T>(at.R * loaded.o);
+  Mat6 to_joint = to_point;
+  if (exchanged_) {  // x turns with node a
+    to_joint = -to_point;
+    to_joint.template topRightCorner<3, 3>() += P_a.transpose() * skew<T>(P_a * joint.x);
+  }
+  const int n = unknowns(), first = spec_.kind == Kind::angular ? 3 : 0;
+  const NodeMatrix<T> rows = to_point.block(first, first, n, n).transpose() * balance(joint, factor).tangent;
+  return T(exchanged_ ? -1 : 1) * rows * to_joint.block(first, first, n, n);
+}
+
+template <class T>
 Outcome<T> EquilibriumProblem<T>::follow_to(const Outcome<T>& from, const T& factor_to) const {
   return dispatched(spec_.kind, [&](auto tag) {
     constexpr Kind kind = decltype(tag)::value;

@@ -52,6 +52,8 @@ class EquilibriumProblem {
   /// The state of the joint for a pose of the loaded node.
   Pose<T> joint(const Pose<T>& node) const;
   NodeBalance<T> balance(const Pose<T>& joint, const T& factor) const;
+  /// At an equilibrium: the tangent of the loaded node, about the node and by (dx, w) of it, global axes.
+  NodeMatrix<T> node_tangent(const Pose<T>& joint, const T& factor) const;
   /// A state moved by (dx, psi), each where it is unknown: R <- exp(psi) R.
   Pose<T> displaced(const Pose<T>& joint, const NodeVector<T>& step) const;
   /// theta_x, theta_y, theta_z (rotation vector of the loaded node, rad), u_x, u_y, u_z (its
