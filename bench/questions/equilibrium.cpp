@@ -35,7 +35,7 @@ Checked compare_end(const Problem& p, const char* formulation, const Pose<double
   for (int i = 0; i < p.steps; ++i) path.advance(p.scene.factor_end * (i + 1) / p.steps);
   if (path.state().status != Status::converged)
     return {.message = "no solution at 50 digits to check against"};
-  const Mat3<Real50> R = path.state().b.R;
+  const Mat3<Real50> R = path.node().R;
   const Vec3<Real50> theta = so3::log<Real50>(R);
   const Vec3<Real50> miss = so3::log<Real50>(b.R.cast<Real50>() * R.transpose());
   Checked out{.error = double(Real50(miss.norm() / theta.norm()))};
@@ -60,13 +60,9 @@ Pose<double> by_newton(const Problem& p, const AngularJoint<F>& joint) {
   NodeLoad<double> load;
   load.moment = p.moment;
   Outcome<double> state;
-  state.b = unstrained(joint.a, joint.b, a);
-  for (int i = 0; i < p.steps; ++i) {
-    const double from = state.factor, to = p.scene.factor_end * (i + 1) / p.steps;
-    state = follow<Kind::angular>(internal_of(joint, a), load, state.b, from, to);
-    if (state.status != Status::converged) break;
-  }
-  return state.b;
+  for (int i = 0; i < p.steps && state.status == Status::converged; ++i)
+    state = follow(joint, a, load, state, p.scene.factor_end * (i + 1) / p.steps);
+  return node_b(joint.a, joint.b, a, state.joint);
 }
 
 /// Stop of GSL: the sum of the residuals' sizes, relative to the moment.

@@ -1,4 +1,7 @@
-// One formulation in one scene as an equation in the pose of the loaded node and the load factor.
+// One formulation in one scene as an equation in the joint's own pose and the load factor.
+//
+// The state is joint frame b seen from joint frame a, x = P_a^T d and R = P_a^T P_b: identity where nothing
+// is strained, whatever the frames, the offsets and the place of the scene.
 #pragma once
 
 #include "halfway/equilibrium.hpp"
@@ -22,13 +25,14 @@ using NodeVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, 6, 1>;
 template <class T>
 using NodeMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// The equation at one pose and load factor, in the unknown directions (dx_b, w_b) as the kind has
-/// them; global axes, N, N m.
+/// The equation at one state and load factor, in the unknown directions (dx, psi) as the kind has them; at
+/// the joint point of the loaded node, axes of P_a, as loads on b; N, N m.
 template <class T>
 struct NodeBalance {
   NodeVector<T> imbalance;  ///< applied - internal
-  NodeMatrix<T> tangent;    ///< d(internal - applied) / d(dx_b, w_b)
+  NodeMatrix<T> tangent;    ///< d(internal - applied) / d(dx, psi)
   NodeVector<T> by_factor;  ///< d applied / d factor
+  NodeVector<T> rounding;   ///< what rounding may leave of the imbalance
 };
 
 /// Equilibrium of the loaded node of a scene. T is double or Real50.
@@ -41,37 +45,50 @@ class EquilibriumProblem {
   Kind kind() const { return spec_.kind; }
   /// 3 rotations, 3 displacements, or displacements and rotations.
   int unknowns() const { return strain_count(spec_.kind); }
-  /// The unstrained pose of the loaded node.
-  const Pose<T>& start() const { return start_; }
-  NodeBalance<T> balance(const Pose<T>& b, const T& factor) const;
-  /// b displaced by (dx, w), each where it is unknown: R <- exp(w) R.
-  Pose<T> displaced(const Pose<T>& b, const NodeVector<T>& step) const;
+  /// The unstrained state: the identity.
+  Pose<T> start() const { return {}; }
+  /// The loaded node at a state of the joint.
+  Pose<T> node(const Pose<T>& joint) const;
+  /// The state of the joint for a pose of the loaded node.
+  Pose<T> joint(const Pose<T>& node) const;
+  NodeBalance<T> balance(const Pose<T>& joint, const T& factor) const;
+  /// At an equilibrium: the tangent of the loaded node, about the node and by (dx, w) of it, global axes.
+  NodeMatrix<T> node_tangent(const Pose<T>& joint, const T& factor) const;
+  /// A state moved by (dx, psi), each where it is unknown: R <- exp(psi) R.
+  Pose<T> displaced(const Pose<T>& joint, const NodeVector<T>& step) const;
   /// theta_x, theta_y, theta_z (rotation vector of the loaded node, rad), u_x, u_y, u_z (its
   /// displacement, m), both from the unstrained pose and in the axes of the scene.
-  T output(const std::string& name, const Pose<T>& b) const;
+  T output(const std::string& name, const Pose<T>& joint) const;
+  /// Estimated error of that output, rad or m.
+  T output_error(const std::string& name, const Outcome<T>& state) const;
   /// The same output of the purely linear analysis: tangent of the unstrained pose, load of the
   /// unstrained pose. All formulations share it.
   T linear_output(const std::string& name, const T& factor) const;
+
   /// From an equilibrium on to another load factor in load steps.
-  Outcome<T> follow_to(const Pose<T>& from, const T& factor_from, const T& factor_to) const;
+  Outcome<T> follow_to(const Outcome<T>& from, const T& factor_to) const;
+  /// The equilibrium next to a state, at one load factor.
+  Outcome<T> equilibrium_near(const Pose<T>& joint, const T& factor) const;
 
  private:
-  /// In the axes of the scene: the component of theta or u that the name asks for.
+  /// Of the loaded node from rest, axes of the clamped joint frame: its rotation vector and its displacement.
+  Vec3<T> rotation(const Pose<T>& joint) const;
+  Vec3<T> node_displacement(const Pose<T>& joint) const;
+  /// In the axes of the scene: the component of theta or u that the name asks for, both given in the clamped
+  /// frame.
   T component(const std::string& name, const Vec3<T>& theta, const Vec3<T>& u) const;
-  /// Load of the joint on the loaded node and its tangent, in the unknown directions.
+  /// The joint's load and its tangent, in the unknown directions.
   template <int n>
-  Balance<T, n> internal(const Pose<T>& moving) const;
+  Balance<T, n> internal(const Pose<T>& joint) const;
   template <Kind kind>
-  Outcome<T> follow_kind(const Pose<T>& from, const T& factor_from, const T& factor_to) const;
-  template <Kind kind>
-  NodeBalance<T> balance_kind(const Pose<T>& b, const T& factor) const;
+  NodeBalance<T> balance_kind(const Pose<T>& joint, const T& factor) const;
 
   const Entry& entry_;
-  JointSpec spec_;
+  JointSpec spec_;  ///< without ends: its nodes are the joint points
+  JointEnd<T> a_, b_;
   bool exchanged_;
   Pose<T> clamped_;
-  Pose<T> start_;
-  NodeLoad<T> load_;
+  JointLoad<T> load_;
 };
 
 }  // namespace halfway::reference

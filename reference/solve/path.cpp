@@ -4,14 +4,12 @@ namespace halfway::reference {
 
 template <class T>
 Path<T>::Path(const Scene& scene, const Entry& entry, double xi, const Setting& setting)
-    : problem_(scene, entry, xi, setting) {
-  state_.b = problem_.start();
-}
+    : problem_(scene, entry, xi, setting) {}
 
 template <class T>
 const Outcome<T>& Path<T>::advance(double factor) {
   const int iterations = state_.iterations;
-  state_ = problem_.follow_to(state_.b, state_.factor, T(factor));
+  state_ = problem_.follow_to(state_, T(factor));
   state_.iterations += iterations;
   return state_;
 }

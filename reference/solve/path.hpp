@@ -20,7 +20,10 @@ class Path {
   const Outcome<T>& state() const { return state_; }
 
   /// As of EquilibriumProblem, for the state.
-  T output(const std::string& name) const { return problem_.output(name, state_.b); }
+  T output(const std::string& name) const { return problem_.output(name, state_.joint); }
+  T output_error(const std::string& name) const { return problem_.output_error(name, state_); }
+  Pose<T> node() const { return problem_.node(state_.joint); }
+  const EquilibriumProblem<T>& problem() const { return problem_; }
   T linear_output(const std::string& name, double factor) const {
     return problem_.linear_output(name, T(factor));
   }

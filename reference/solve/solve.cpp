@@ -1,6 +1,7 @@
 #include "reference/solve/solve.hpp"
 
 #include "reference/solve/path.hpp"
+#include "reference/solve/stop_cause.hpp"
 
 #include <fmt/format.h>
 
@@ -9,16 +10,18 @@
 namespace halfway::reference {
 namespace {
 
-std::string describe(const Outcome<double>& state) {
-  switch (state.status) {
-    case Status::converged:
-      return "converged";
-    case Status::singular_tangent:
-      return fmt::format("stopped at load factor {:.6g}: the tangent is singular there", state.factor);
-    default:
-      return fmt::format("stopped at load factor {:.6g}: no smaller load step converges on this branch",
-                         state.factor);
+std::string describe(const Path<double>& path) {
+  const Outcome<double>& state = path.state();
+  if (state.status == Status::converged) return "converged";
+  const std::string where = fmt::format("stopped at load factor {:.6g}: ", state.factor);
+  if (state.status == Status::inaccurate) {
+    const bool turns = path.problem().kind() != Kind::linear;
+    return fmt::format("{}accurate to {:.1e} {} only, beyond double precision", where,
+                       turns ? state.error.tail<3>().norm() : state.error.head<3>().norm(),
+                       turns ? "rad" : "m");
   }
+  return fmt::format("{}{}; --arc follows the path further", where,
+                     to_string(stop_cause(path.problem(), state)));
 }
 
 template <class Value>
@@ -28,19 +31,30 @@ std::vector<double> row_of(const Scene& scene, double factor, const Value& value
   return row;
 }
 
+void add_state(const Scene& scene, const Path<double>& path, Curve& curve) {
+  curve.rows.push_back(
+      row_of(scene, path.state().factor, [&](const std::string& output) { return path.output(output); }));
+  double error = 0;
+  for (const std::string& output : scene.outputs) error = std::max(error, path.output_error(output));
+  curve.errors.push_back(error);
+}
+
+bool goes_on(const Outcome<double>& state) {
+  return state.status == Status::converged || state.status == Status::inaccurate;
+}
+
 void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve& curve) {
   Path<double> path(scene, entry, curve.xi);
-  const auto add_row = [&] {
-    curve.rows.push_back(
-        row_of(scene, path.state().factor, [&](const std::string& output) { return path.output(output); }));
-  };
-  add_row();
-  for (int i = 1; i <= scene.points && path.state().status == Status::converged; ++i) {
-    if (path.advance(scene.factor_end * i / scene.points).status == Status::converged) add_row();
+  add_state(scene, path, curve);
+  for (int i = 1; i <= scene.points && goes_on(path.state()); ++i) {
+    path.advance(scene.factor_end * i / scene.points);
+    // Where it stops short of the factor asked for is a point of the path as well.
+    if (path.state().factor != curve.rows.back().front()) add_state(scene, path, curve);
     if (told) told(i, scene.points);
   }
   curve.converged = path.state().status == Status::converged;
-  curve.outcome = describe(path.state());
+  curve.is_inaccurate = path.state().status == Status::inaccurate;
+  curve.outcome = describe(path);
   curve.iterations = path.state().iterations;
   curve.residual = path.state().residual;
 }

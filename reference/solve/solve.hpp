@@ -18,8 +18,10 @@ struct Curve {
   std::string formulation;
   double xi = 0.5;
   std::vector<std::string> columns;       ///< "factor", then the scene's outputs
-  std::vector<std::vector<double>> rows;  ///< as many as converged; NaN never
+  std::vector<std::vector<double>> rows;  ///< of equilibria, the last where the path stopped; NaN never
+  std::vector<double> errors;             ///< estimated, of each row's worst output, rad or m
   bool converged = false;                 ///< up to the scene's last load factor
+  bool is_inaccurate = false;             ///< up to there, but beyond what double precision resolves
   std::string outcome;                    ///< for people: "converged" or why not, and where
   int iterations = 0;                     ///< Newton iterations of the whole path
   double residual = 0;                    ///< at the last point, relative to the load

@@ -101,6 +101,9 @@ void run(const RunOptions& options) {
   const auto missing = options.formulations.empty() ? left_out(scene, choices) : std::vector<LeftOut>{};
   print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
+  if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
+    throw FailedRun(
+        fmt::format("{}: beyond what double precision resolves; see the error column", scene.name));
   if (std::ranges::none_of(curves, &reference::Curve::converged)) {
     throw FailedRun(
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));

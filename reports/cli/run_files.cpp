@@ -41,11 +41,13 @@ std::string curve_label(const reference::Curve& curve) {
 
 std::string curves_csv(const std::vector<reference::Curve>& curves) {
   if (curves.empty()) return "";
-  std::string out = fmt::format("formulation,xi,{}\n", fmt::join(curves.front().columns, ","));
+  std::string out = fmt::format("formulation,xi,{},error,outcome\n", fmt::join(curves.front().columns, ","));
   for (const auto& curve : curves) {
-    for (const auto& row : curve.rows) {
-      fmt::format_to(std::back_inserter(out), "{},{},{:.17g}\n", curve.formulation, xi_text(curve),
-                     fmt::join(row, ","));
+    for (std::size_t i = 0; i < curve.rows.size(); ++i) {
+      const std::string error = i < curve.errors.size() ? fmt::format("{:.2g}", curve.errors[i]) : "";
+      const bool is_last = i + 1 == curve.rows.size();
+      fmt::format_to(std::back_inserter(out), "{},{},{:.17g},{},\"{}\"\n", curve.formulation, xi_text(curve),
+                     fmt::join(curve.rows[i], ","), error, is_last ? curve.outcome : "");
     }
   }
   return out;
@@ -80,6 +82,7 @@ std::string curves_json(const reference::Scene& scene, const std::vector<referen
     if (scene.critical_axis != 0) item["critical"] = critical_json(scene, curve);
     item["columns"] = curve.columns;
     item["rows"] = curve.rows;
+    item["errors"] = curve.errors;
     out["curves"].push_back(std::move(item));
   }
   out["left_out"] = nlohmann::ordered_json::array();
@@ -97,16 +100,18 @@ std::string curves_table(const reference::Scene& scene, const std::vector<refere
   for (const auto& column : curves.front().columns)
     fmt::format_to(std::back_inserter(out), " {:>15}", column);
   if (scene.critical_axis != 0) out += " critical_moment  critical_angle";
-  out += "  iterations  residual  outcome\n";
+  out += "     error  iterations  residual  outcome\n";
   for (const auto& curve : curves) {
     fmt::format_to(std::back_inserter(out), "{:<{}}", curve_label(curve), width);
     for (std::size_t i = 0; i < curve.columns.size(); ++i) {
-      const std::string value = curve.rows.empty() ? "-" : fmt::format("{:.9g}", curve.rows.back()[i]);
+      // Nothing but the unstrained point is no answer: its zeros would be read as one.
+      const std::string value = curve.rows.size() < 2 ? "-" : fmt::format("{:.9g}", curve.rows.back()[i]);
       fmt::format_to(std::back_inserter(out), " {:>15}", value);
     }
     if (scene.critical_axis != 0) out += critical_cells(curve);
-    fmt::format_to(std::back_inserter(out), "  {:>10}  {:>8.1e}  {}\n", curve.iterations, curve.residual,
-                   curve.outcome);
+    const std::string error = curve.errors.empty() ? "-" : fmt::format("{:.1e}", curve.errors.back());
+    fmt::format_to(std::back_inserter(out), "  {:>8}  {:>10}  {:>8.1e}  {}\n", error, curve.iterations,
+                   curve.residual, curve.outcome);
   }
   for (const auto& [name, reason] : left_out)
     fmt::format_to(std::back_inserter(out), "{:<{}}  left out: {}\n", name, width, reason);

@@ -11,7 +11,8 @@ namespace halfway::reports {
 /// "invariant", or "intrinsic xi=0.25" where xi is free.
 std::string curve_label(const reference::Curve& curve);
 
-/// One row per point of every curve: formulation, xi (empty where it is not free), factor, outputs.
+/// One row per point of every curve: formulation, xi (empty where it is not free), factor, outputs, their
+/// estimated error (rad, m; empty by arc length), and in a curve's last row its outcome.
 /// Numbers have 17 significant digits.
 std::string curves_csv(const std::vector<reference::Curve>& curves);
 
@@ -25,7 +26,7 @@ std::string critical_csv(const reference::Scene& scene, const std::vector<refere
 std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
                         const std::vector<LeftOut>& left_out);
 
-/// The last row of every curve with outcome, iterations and residual, and the critical state where asked;
+/// The last row of every curve with outcome, estimated error, iterations and residual, and the critical state where asked;
 /// then what was left out and why.
 std::string curves_table(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
                          const std::vector<LeftOut>& left_out);

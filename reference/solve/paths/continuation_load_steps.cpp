@@ -25,21 +25,33 @@ LoadSteps stepped(const EquilibriumProblem<double>& problem, double end_factor, 
   return out;
 }
 
+/// A problem at one load factor, with no guard: a system of Newton's method.
+struct AtFactor {
+  AtFactor(const EquilibriumProblem<double>& of, const ArcState<double>& start)
+      : problem(of), joint(start.b), factor(start.factor) {}
+
+  NewtonLook<double> look() {
+    const NodeBalance<double> at = problem.balance(joint, factor);
+    correction = at.tangent.partialPivLu().solve(at.imbalance);
+    return {correction.norm(), (at.imbalance.cwiseAbs().array() <= at.rounding.array()).all()};
+  }
+  void move() { joint = problem.displaced(joint, correction); }
+
+  const EquilibriumProblem<double>& problem;
+  Pose<double> joint;
+  double factor;
+  NodeVector<double> correction;
+};
+
 }  // namespace
 
 LoadSteps newton_load_steps(const EquilibriumProblem<double>& problem, double end_factor, int steps) {
-  constexpr int kIterations = 50;
-  constexpr double kRounding = 1e-13;  // rad or m: a few digits above the noise of a well-posed step
+  constexpr int kCorrections = 50;
   return stepped(problem, end_factor, steps,
                  [&](const ArcState<double>& start, std::string& message) -> std::optional<Pose<double>> {
-                   Pose<double> b = start.b;
-                   for (int i = 0; i < kIterations; ++i) {
-                     const NodeBalance<double> at = problem.balance(b, start.factor);
-                     const NodeVector<double> step = at.tangent.partialPivLu().solve(at.imbalance);
-                     if (!std::isfinite(step.squaredNorm())) break;
-                     b = problem.displaced(b, step);
-                     if (step.norm() < kRounding) return b;
-                   }
+                   AtFactor system(problem, start);
+                   const auto run = newton<double>(system, kCorrections, kCorrections);
+                   if (run.stop == NewtonStop::rounding) return system.joint;
                    message = "no convergence in 50 iterations";
                    return std::nullopt;
                  });

@@ -5,7 +5,7 @@
 namespace halfway::reference {
 namespace {
 
-constexpr int kIterations = 12;
+constexpr int kCorrections = 12;
 
 /// Are all entries numbers? Their squares are, unless one of them is not or overflows.
 template <class M>
@@ -42,11 +42,12 @@ typename ContinuationStep<T>::Bordered ContinuationStep<T>::bordered(const ArcSt
   ArcVector<T> scale = ArcVector<T>::Ones(n);
   if (problem_.kind() != Kind::angular) scale.template head<3>().setConstant(T(scales_.length));
   const T unit(scales_.stiffness);
-  Bordered out{ArcMatrix<T>::Zero(n + 1, n + 1), ArcVector<T>::Zero(n + 1)};
+  Bordered out{ArcMatrix<T>::Zero(n + 1, n + 1), ArcVector<T>::Zero(n + 1), ArcVector<T>::Zero(n + 1)};
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) out.matrix(i, j) = scale[i] * balance.tangent(i, j) * scale[j] / unit;
     out.matrix(i, n) = -scale[i] * balance.by_factor[i] * T(scales_.factor) / unit;
     out.imbalance[i] = scale[i] * balance.imbalance[i] / unit;
+    out.rounding[i] = scale[i] * balance.rounding[i] / unit;
   }
   return out;
 }
@@ -54,6 +55,60 @@ typename ContinuationStep<T>::Bordered ContinuationStep<T>::bordered(const ArcSt
 template <class T>
 ArcMatrix<T> ContinuationStep<T>::equilibrium_rows(const ArcState<T>& at) const {
   return bordered(at).matrix.topRows(problem_.unknowns());
+}
+
+/// Equilibrium and one more equation, normal . difference(base, state) = distance: a system of Newton's
+/// method.
+template <class T>
+class ContinuationStep<T>::OnPlane {
+ public:
+  OnPlane(const ContinuationStep& step, const ArcState<T>& base, const ArcVector<T>& normal,
+          const T& distance, const ArcState<T>& start)
+      : step_(step), base_(base), normal_(normal), distance_(distance) {
+    out.state = start;
+  }
+
+  NewtonLook<T> look() {
+    const int n = step_.problem_.unknowns();
+    Bordered system = step_.bordered(out.state);
+    const ArcVector<T> gone = step_.difference(base_, out.state);
+    ArcVector<T> row = normal_;
+    if (step_.problem_.kind() != Kind::linear)
+      row.template segment<3>(n - 3) = so3::gamma_inverse<T>(gone.template segment<3>(n - 3)).transpose() *
+                                       normal_.template segment<3>(n - 3);
+    system.matrix.row(n) = row.transpose();
+    system.imbalance[n] = distance_ - normal_.dot(gone);
+    system.rounding[n] = step_.rounding_of_difference(out.state);
+    correction_ = system.matrix.partialPivLu().solve(system.imbalance);
+    out.finite = all_finite(system.matrix) && all_finite(correction_);
+    return {correction_.norm(), (system.imbalance.cwiseAbs().array() <= system.rounding.array()).all()};
+  }
+  void move() {
+    const double size(correction_.norm());
+    if (out.iterations == 0) out.first = size;
+    if (out.iterations == 1 && out.first > 0) out.contraction = size / out.first;
+    ++out.iterations;
+    out.state = step_.moved(out.state, correction_);
+  }
+  void settle() { out.state = step_.moved(out.state, correction_); }
+  /// Nothing left to correct but noise.
+  bool is_noise() const { return correction_.norm() <= T(1 << 20) * Eigen::NumTraits<T>::epsilon(); }
+
+  Correction<T> out;
+
+ private:
+  const ContinuationStep& step_;
+  const ArcState<T>& base_;
+  const ArcVector<T>& normal_;
+  const T& distance_;
+  ArcVector<T> correction_;
+};
+
+template <class T>
+T ContinuationStep<T>::rounding_of_difference(const ArcState<T>& at) const {
+  using std::abs;
+  const T size = T(1) + at.b.x.norm() / T(scales_.length) + T(abs(at.factor)) / T(scales_.factor);
+  return T(8) * Eigen::NumTraits<T>::epsilon() * size;
 }
 
 template <class T>
@@ -64,35 +119,14 @@ ArcVector<T> ContinuationStep<T>::imbalance(const ArcState<T>& at) const {
 template <class T>
 Correction<T> ContinuationStep<T>::corrected(const ArcState<T>& base, const ArcVector<T>& normal,
                                              const T& distance, const ArcState<T>& start) const {
-  const int n = problem_.unknowns();
-  const T start_of_rounding(1e-5);  // quadratic convergence: the next step is at 1e-10, then rounding
-  const T nothing = Eigen::NumTraits<T>::epsilon() * Eigen::NumTraits<T>::epsilon();
-  Correction<T> out;
-  out.state = start;
-  T previous(0);
-  for (out.iterations = 1; out.iterations <= kIterations; ++out.iterations) {
-    Bordered system = bordered(out.state);
-    const ArcVector<T> gone = difference(base, out.state);
-    ArcVector<T> row = normal;
-    if (problem_.kind() != Kind::linear)
-      row.template segment<3>(n - 3) = so3::gamma_inverse<T>(gone.template segment<3>(n - 3)).transpose() *
-                                       normal.template segment<3>(n - 3);
-    system.matrix.row(n) = row.transpose();
-    system.imbalance[n] = distance - normal.dot(gone);
-    const ArcVector<T> step = system.matrix.partialPivLu().solve(system.imbalance);
-    out.finite = all_finite(system.matrix) && all_finite(step);
-    if (!out.finite) return out;
-    const T size = step.norm();
-    if (out.iterations == 1) out.first = double(size);
-    if (out.iterations == 2 && out.first > 0) out.contraction = double(size) / out.first;
-    out.converged = out.iterations > 1 && size <= start_of_rounding && size >= previous / T(4);
-    if (out.converged || (out.iterations > 2 && size > previous)) return out;
-    out.state = moved(out.state, step);
-    out.converged = size <= nothing;
-    if (out.converged) return out;
-    previous = size;
-  }
-  return out;
+  OnPlane system(*this, base, normal, distance, start);
+  const NewtonRun<T> run = newton<T>(system, kCorrections);
+  // Near a singular point rounding moves the state far: the last correction, already found, takes half of it
+  // off.
+  if (run.stop == NewtonStop::rounding) system.settle();
+  system.out.converged =
+      run.stop == NewtonStop::rounding || (run.stop == NewtonStop::stalled && system.is_noise());
+  return system.out;
 }
 
 template <class T>

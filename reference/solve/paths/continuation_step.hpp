@@ -21,7 +21,7 @@ struct ArcScales {
 
 template <class T>
 struct ArcState {
-  Pose<T> b{};
+  Pose<T> b{};  ///< joint frame b seen from joint frame a, the state of EquilibriumProblem
   T factor{0};
 };
 
@@ -31,8 +31,8 @@ struct Correction {
   bool converged = false;
   bool finite = true;  ///< false: the loads or the tangent are no numbers here
   ArcState<T> state{};
-  int iterations = 0;
-  double first = 0;        ///< length of the first correction
+  int iterations = 0;      ///< corrections made
+  double first = 0;        ///< length of the first
   double contraction = 0;  ///< of the second over the first
 };
 
@@ -77,7 +77,11 @@ class ContinuationStep {
   struct Bordered {
     ArcMatrix<T> matrix;     ///< last row not set
     ArcVector<T> imbalance;  ///< scaled; last entry not set
+    ArcVector<T> rounding;   ///< that may be left of it; likewise
   };
+  class OnPlane;
+  /// Of `difference`, in the path's scales.
+  T rounding_of_difference(const ArcState<T>& at) const;
   Bordered bordered(const ArcState<T>& at) const;
 
   const EquilibriumProblem<T>& problem_;

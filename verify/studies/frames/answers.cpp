@@ -97,9 +97,9 @@ CurveAnswers curve_answers(const Law& law, const Written& written) {
     if (path.advance(scene.factor_end * i / kPoints).status != Status::converged) break;
     out.theta.push_back(written.axes.transpose() * vector_of(path, "theta"));
     out.u.push_back(written.axes.transpose() * vector_of(path, "u"));
-    out.energy.push_back(stored(law, written, path.state().b));
-    const Eigen::MatrixXd J = problem.balance(path.state().b, path.state().factor).tangent;
-    out.modes.push_back(modes_of(J, body(written), path.state().b.R));
+    out.energy.push_back(stored(law, written, path.node()));
+    const Eigen::MatrixXd J = problem.node_tangent(path.state().joint, path.state().factor);
+    out.modes.push_back(modes_of(J, body(written), path.node().R));
     if (problem.kind() != Kind::linear_angular) keep_largest(out.condition, J.norm() * J.inverse().norm());
   }
   return out;

@@ -42,7 +42,7 @@ std::vector<Finding> named_branchings(const reference::Entry& entry, const Skew&
   const Written written = skewed(skew.angle);
   const auto path = arc_answers(law, written);
   const auto is_branching = [](const auto& s) { return s.type == Singularity::branching; };
-  const Vec3<double> theta = so3::log<double>(path.points.back().state.b.R);
+  const Vec3<double> theta = written.scene.joint.a.H * so3::log<double>(path.points.back().state.b.R);
   const double off_axis = (written.axes.transpose() * theta).tail<2>().norm();
   Finding f;
   f.name = fmt::format("frames/imperfection/{}/{:g}", entry.name, skew.angle);

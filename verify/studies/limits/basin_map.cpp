@@ -46,7 +46,8 @@ BasinMaps::BasinMaps(const LoadGrid& grid, const Entry& entry)
     for (int k = 0; k < grid_.steps * kSubsteps; ++k) {
       if (path.state().status == Status::converged) path.advance(double(k + 1) / (grid_.steps * kSubsteps));
       if (k % kSubsteps != kSubsteps - 1) continue;
-      branches_.push_back(path.state().status == Status::converged ? State(path.state().b.R) : std::nullopt);
+      branches_.push_back(path.state().status == Status::converged ? State(path.state().joint.R)
+                                                                   : std::nullopt);
     }
   }
 }
@@ -84,7 +85,7 @@ bool BasinMaps::is_safe(double angle, double magnitude, NewtonTangent tangent) c
   const Scene scene = loaded(angle, magnitude);
   Path<double> path(scene, entry_, entry_.probe_xi);
   if (path.advance(1).status != Status::converged) return false;
-  return cell(angle, magnitude, path.state().b.R, tangent).end == BasinEnd::continuous_branch;
+  return cell(angle, magnitude, path.state().joint.R, tangent).end == BasinEnd::continuous_branch;
 }
 
 double BasinMaps::safe_step(const std::vector<BasinCell>& cells, NewtonTangent tangent) const {
@@ -143,7 +144,7 @@ StartMap start_map(const Entry& entry, NewtonTangent tangent, double moment, int
   for (int k = 1; k <= scene.points && path.state().status == Status::converged; ++k)
     path.advance(moment * k / scene.points);
   out.has_branch = path.state().status == Status::converged;
-  if (out.has_branch) index_of(path.state().b);
+  if (out.has_branch) index_of(path.state().joint);
   const auto component = [&](int i) { return std::numbers::pi * (2.0 * i / (resolution - 1) - 1); };
   for (int i = 0; i < resolution; ++i) {
     for (int j = 0; j < resolution; ++j) {

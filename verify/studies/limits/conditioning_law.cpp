@@ -59,16 +59,12 @@ ErrorRow solve_error(const Entry& entry, const Scene& scene, ErrorRow row) {
     row.note = fmt::format("called converged at a residual of {:.1e}", state.residual);
   }
   const EquilibriumProblem<Real50> problem(scene, entry, scene.joint.xi);
-  Pose<Real50> b = cast<Real50>(state.b);
-  b.R = so3::matrix(so3::quaternion(b.R));
-  const Pose<Real50> found = b;
-  for (int i = 0; i < 4; ++i) {  // from 1e-9 or better: squared each time, below 1e-50
-    const NodeBalance<Real50> balance = problem.balance(b, Real50(1));
-    const Mat3<Real50> J = balance.tangent;
-    b = problem.displaced(b, NodeVector<Real50>(J.inverse() * Vec3<Real50>(balance.imbalance)));
-  }
-  const Vec3<Real50> miss = so3::log<Real50>(b.R.transpose() * found.R), theta = so3::log(b.R);
-  row.error = double(Real50(miss.norm() / theta.norm()));
+  Pose<Real50> found = cast<Real50>(state.joint);
+  found.R = so3::matrix(so3::quaternion(found.R));
+  const Outcome<Real50> exact = problem.equilibrium_near(found, Real50(1));
+  const Mat3<Real50>& R = exact.joint.R;
+  const Vec3<Real50> miss = so3::log<Real50>(R.transpose() * found.R), theta = so3::log(R);
+  row.error = exact.status == Status::converged ? double(Real50(miss.norm() / theta.norm())) : std::nan("");
   return row;
 }
 

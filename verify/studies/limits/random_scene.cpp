@@ -143,24 +143,18 @@ RandomScene random_scene(Generator& random, const Entry& entry) {
 
 double distance_to_equilibrium(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {
   const EquilibriumProblem<Real50> problem(random.scene, entry, random.xi, random.setting);
-  const Real50 factor(state.factor), done("1e-30");
-  const Pose<Real50> from = cast<Real50>(state.b);
-  Pose<Real50> b = from;
-  for (int i = 0; i < 12; ++i) {
-    const auto balance = problem.balance(b, factor);
-    const NodeVector<Real50> step = balance.tangent.partialPivLu().solve(balance.imbalance);
-    b = problem.displaced(b, step);
-    if (!(step.norm() > done * (Real50(1) + b.x.norm()))) {
-      const Real50 moved = (b.x - from.x).norm() / (Real50(1) + from.x.norm());
-      const Real50 turned = (b.R - from.R).norm();
-      return std::isfinite(double(step.norm())) ? double(moved + turned) : std::nan("");
-    }
-  }
-  return std::nan("");
+  Pose<Real50> from = cast<Real50>(state.joint);
+  from.R = so3::matrix(so3::quaternion(from.R));
+  const Outcome<Real50> exact = problem.equilibrium_near(from, Real50(state.factor));
+  if (exact.status != Status::converged) return std::nan("");
+  const Real50 moved = (exact.joint.x - from.x).norm() / (Real50(1) + from.x.norm());
+  const Real50 turned = (exact.joint.R - from.R).norm();
+  return double(moved + turned);
 }
 
 Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome<double>& state) {
-  const Pose<double>& b = state.b;
+  const Pose<double> b =
+      EquilibriumProblem<double>(random.scene, entry, random.xi, random.setting).node(state.joint);
   Soundness out;
   out.is_finite =
       b.x.allFinite() && b.R.allFinite() && std::isfinite(state.factor) && std::isfinite(state.residual);

@@ -28,12 +28,21 @@ constexpr int kTrue = 5;      // every so many also at 50 digits
 constexpr int kTexts = 500;
 
 struct Tally {
-  int ends[3] = {};         ///< by Status
+  int ends[4] = {};         ///< by Status
   int broken = 0;           ///< not finite, or a status that is none
   int unnamed = 0;          ///< curves that say nothing
   Measurement in_rounding;  ///< of converged states
   Measurement from_truth;   ///< of some of the converged states
+  Measurement estimate;     ///< the same over the solver's own estimate
 };
+
+void include_truth(double distance, const Outcome<double>& state, const std::string& where, Tally& tally) {
+  constexpr double kRead = 4e-16;  // of a pose's own numbers
+  const double size = 1 + state.joint.x.norm();
+  const double estimate = state.error.tail<3>().norm() + state.error.head<3>().norm() / size + kRead;
+  tally.from_truth.include(distance, where);
+  tally.estimate.include(distance / estimate, where);
+}
 
 void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& tally) {
   reference::Path<double> path(random.scene, entry, random.xi, random.setting);
@@ -41,11 +50,11 @@ void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& 
   const auto end = std::size_t(state.status);
   const std::string where = fmt::format("scene {}, {}", index, to_string(random.scene.joint.kind));
   const reference::Soundness sound = soundness(random, entry, state);
-  if (end > 2 || !sound.is_finite) ++tally.broken;
-  if (end <= 2) ++tally.ends[end];
+  if (end > 3 || !sound.is_finite) ++tally.broken;
+  if (end <= 3) ++tally.ends[end];
   if (state.status == Status::converged) tally.in_rounding.include(sound.in_rounding, where);
   if (state.status == Status::converged && index % kTrue == 0)
-    tally.from_truth.include(distance_to_equilibrium(random, entry, state), where);
+    include_truth(distance_to_equilibrium(random, entry, state), state, where, tally);
 }
 
 /// What a user reads: a sentence, and no row that is not a number.
@@ -96,14 +105,15 @@ double least_share(const Entry& entry) {
 
 std::vector<Finding> solved(const Entry& entry) {
   const Tally tally = solve_all(entry);
-  const std::string ends =
-      fmt::format("of {}: {} converged, {} stopped at a singular tangent, {} where no load step converges",
-                  kScenes, tally.ends[0], tally.ends[1], tally.ends[2]);
+  const std::string ends = fmt::format(
+      "of {}: {} converged, {} accurate to less than that, {} stopped at a singular tangent, "
+      "{} where no load step converges",
+      kScenes, tally.ends[0], tally.ends[1], tally.ends[2], tally.ends[3]);
   return {
       of_scenes(entry, "without_an_end")
           .measured(tally.broken + tally.unnamed, ends)
           .in("scenes")
-          .at_most(0, "every scene ends with finite numbers and one of three named ends")
+          .at_most(0, "every scene ends with finite numbers and one of four named ends")
           .by(Oracle::closed_form),
       of_scenes(entry, "converged")
           .measured(double(tally.ends[0]) / kScenes, ends)
@@ -111,6 +121,12 @@ std::vector<Finding> solved(const Entry& entry) {
           .at_least(least_share(entry),
                     "as many as ever, but for 2 % of the scenes that stand at a limit point")
           .by(Oracle::kept),
+      of_scenes(entry, "estimate")
+          .measured(tally.estimate)
+          .in("of the estimated error")
+          .at_most(
+              2, "eight roundings of each load through J^-1; a compliance is inverted with errors of its own")
+          .by(Oracle::fifty_digits),
       of_scenes(entry, "imbalance")
           .measured(tally.in_rounding)
           .in("eps of the loads and of the tangent times the pose")

@@ -32,7 +32,8 @@ std::vector<Finding> against_mbdyn(const MbdynOrder& order) {
   Measurement worst;
   for (std::size_t i = 0; i < data.at("M").size(); ++i) {
     const auto theta = data.at("theta")[i].get<std::vector<double>>();
-    const reference::ArcState<double> theirs{{{}, so3::exp<double>({theta[0], theta[1], theta[2]})},
+    const Pose<double> node{{}, so3::exp<double>({theta[0], theta[1], theta[2]})};
+    const reference::ArcState<double> theirs{continuation.problem().joint(node),
                                              data.at("M")[i].get<double>()};
     worst.include(distance_off_path(continuation, path, theirs), fmt::format("{} N m", theirs.factor));
   }

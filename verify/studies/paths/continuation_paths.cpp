@@ -49,7 +49,7 @@ double off_load_steps(const reference::Scene& s, const Entry& entry, const Conti
     const auto& state = steps.advance(s.factor_end * i / s.points);
     reached = state.factor;
     if (state.status != Status::converged) break;
-    worst.include(distance_off_path(continuation, path, {state.b, state.factor}), {});
+    worst.include(distance_off_path(continuation, path, {state.joint, state.factor}), {});
   }
   return worst.value();
 }

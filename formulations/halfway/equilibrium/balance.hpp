@@ -1,0 +1,121 @@
+// Equilibrium of a joint in its own coordinates: the pose of joint frame b seen from joint frame a.
+//
+// x = P_a^T d and R = P_a^T P_b are what every strain follows from. Carried as they are, the strain of a
+// stiff direction is never the difference of two large positions, and a lever costs no digit.
+#pragma once
+
+#include "halfway/equilibrium/joint_load.hpp"
+#include "halfway/equilibrium/newton.hpp"
+
+#include <Eigen/LU>
+
+namespace halfway {
+
+/// The joint's load on b at its joint point and its derivative by (dx, psi), axes of P_a.
+template <class T, int n>
+struct Balance {
+  Eigen::Matrix<T, n, 1> load;
+  Eigen::Matrix<T, n, n> tangent;
+};
+
+/// A joint pose moved by (dx, psi), each where it is unknown, rotations kept orthonormal.
+template <Kind kind, class T>
+Pose<T> displaced(const Pose<T>& joint, const Eigen::Matrix<T, unknown_count(kind), 1>& step) {
+  Pose<T> out = joint;
+  if constexpr (kind != Kind::angular) out.x += step.template head<3>();
+  if constexpr (kind != Kind::linear)
+    out.R = so3::matrix(so3::quaternion<T>(so3::exp<T>(step.template tail<3>()) * joint.R));
+  return out;
+}
+
+/// J^-1 r; not finite where J is singular. Three unknowns by cofactors, six by elimination: Newton
+/// corrects what either loses, because the imbalance is computed afresh.
+template <class T, int n>
+Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matrix<T, n, 1>& r) {
+  if constexpr (n == 3)
+    return J.inverse() * r;
+  else
+    return J.partialPivLu().solve(r);
+}
+
+/// |x| and |theta| of a joint pose, component by component.
+template <Kind kind, class T>
+Eigen::Matrix<T, unknown_count(kind), 1> motion_size(const Pose<T>& joint) {
+  Eigen::Matrix<T, unknown_count(kind), 1> out;
+  if constexpr (kind != Kind::angular) out.template head<3>() = joint.x.cwiseAbs();
+  if constexpr (kind != Kind::linear) out.template tail<3>() = so3::log<T>(joint.R).cwiseAbs();
+  return out;
+}
+
+/// What rounding may leave of applied - internal, direction by direction: that of the loads that are added
+/// up, and of the motion, magnified by the tangent.
+template <Kind kind, class T>
+Eigen::Matrix<T, unknown_count(kind), 1> rounding_of(const Balance<T, unknown_count(kind)>& inside,
+                                                     const Applied<T, unknown_count(kind)>& outside,
+                                                     const T& factor, const Pose<T>& joint) {
+  using std::abs;
+  constexpr int kRoundings = 8;  // between a pose and its loads; see verify: what random scenes need
+  return T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
+         (inside.load.cwiseAbs() + T(abs(factor)) * outside.size +
+          inside.tangent.cwiseAbs() * motion_size<kind>(joint));
+}
+
+/// A loaded joint at one load factor: the system of Newton's method.
+/// @tparam Internal  callable joint pose -> Balance<T, n>
+template <Kind kind, class T, class Internal>
+class LoadedJoint {
+ public:
+  static constexpr int n = unknown_count(kind);
+  using Vector = Eigen::Matrix<T, n, 1>;
+  using Matrix = Eigen::Matrix<T, n, n>;
+
+  LoadedJoint(const Internal& internal, const JointLoad<T>& load, const T& factor, const Pose<T>& start)
+      : internal_(internal), load_(load), factor_(factor), joint_(start) {}
+
+  NewtonLook<T> look() {
+    using std::sqrt;
+    const Balance<T, n> inside = internal_(joint_);
+    const Applied<T, n> outside = applied<kind>(load_, joint_.R);
+    by_factor_ = outside.load;
+    J_ = inside.tangent - factor_ * outside.tangent;
+    imbalance_ = factor_ * outside.load - inside.load;
+    rounding_ = rounding_of<kind>(inside, outside, factor_, joint_);
+    step_ = solved(J_, imbalance_);
+    // The root of the corrections' work: the one measure in which radians and metres, soft and stiff, add up.
+    return {sqrt(T(step_.cwiseProduct(imbalance_).cwiseAbs().sum())),
+            (imbalance_.cwiseAbs().array() <= rounding_.array()).all()};
+  }
+  void move() { joint_ = displaced<kind>(joint_, step_); }
+
+  const Pose<T>& joint() const { return joint_; }
+  /// d(dx, psi) / d(load factor) along the path.
+  Vector slope() const { return solved(J_, by_factor_); }
+  /// What the rounding of the loads, or what is left of the imbalance, can be off in each unknown: |J^-1| r.
+  Vector error() const { return J_.inverse().cwiseAbs() * Vector(imbalance_.cwiseAbs().cwiseMax(rounding_)); }
+  /// |internal - applied| / |applied|
+  T residual() const {
+    const T scale = T(factor_ * factor_) * by_factor_.squaredNorm();
+    using std::sqrt;
+    return imbalance_.norm() / (scale > T(0) ? T(sqrt(scale)) : T(1));
+  }
+  /// m: what makes rotations comparable to displacements here.
+  T length() const {
+    if constexpr (n == 3) {
+      return T(0);
+    } else {
+      using std::sqrt;
+      const T ratio = J_.template bottomRightCorner<3, 3>().norm() / J_.template topLeftCorner<3, 3>().norm();
+      return load_.reach + sqrt(ratio);
+    }
+  }
+
+ private:
+  const Internal& internal_;
+  const JointLoad<T>& load_;
+  T factor_;
+  Pose<T> joint_;
+  Vector by_factor_, imbalance_, rounding_, step_;
+  Matrix J_;
+};
+
+}  // namespace halfway

@@ -1,0 +1,88 @@
+// Loads on a node as its joint point feels them: there no lever of the node enters a stiff direction.
+#pragma once
+
+#include "halfway/joint/pose.hpp"
+
+namespace halfway {
+
+/// Load on the loaded node at load factor 1; the solver scales it.
+template <class T>
+struct NodeLoad {
+  Vec3<T> force = Vec3<T>::Zero();            ///< fixed direction, global axes, N
+  Vec3<T> point = Vec3<T>::Zero();            ///< where it acts, axes of the node, m
+  Vec3<T> moment = Vec3<T>::Zero();           ///< fixed direction, global axes, N m
+  Vec3<T> follower_moment = Vec3<T>::Zero();  ///< turns with the node, axes of the node, N m
+};
+
+/// What is unknown of the loaded node: 3 rotations, 3 displacements (the orientation is held), or all 6.
+constexpr int unknown_count(Kind kind) { return strain_count(kind); }
+
+/// The same load, about the joint point of the loaded node.
+template <class T>
+struct JointLoad {
+  bool on_a = false;                          ///< node a is the loaded one, node b is clamped
+  Vec3<T> force = Vec3<T>::Zero();            ///< axes of the clamped joint frame
+  Vec3<T> moment = Vec3<T>::Zero();           ///< likewise
+  Vec3<T> arm = Vec3<T>::Zero();              ///< from the joint point to the force, axes of the loaded frame
+  Vec3<T> follower_moment = Vec3<T>::Zero();  ///< likewise
+  T reach{0};                                 ///< m: how far node and force are from the joint point
+};
+
+/// @param clamped_frame  joint frame of the clamped node, to global axes
+template <class T>
+JointLoad<T> joint_load(Kind kind, const NodeLoad<T>& load, const Mat3<T>& clamped_frame,
+                        const JointEnd<T>& loaded, bool on_a = false) {
+  JointLoad<T> out;
+  out.on_a = on_a;
+  out.force = clamped_frame.transpose() * load.force;
+  out.moment = clamped_frame.transpose() * load.moment;
+  out.follower_moment = loaded.H.transpose() * load.follower_moment;
+  // An angular joint carries a couple; its force is carried where the node is held, at its origin.
+  const Vec3<T> arm = kind == Kind::angular ? load.point : Vec3<T>(load.point - loaded.o);
+  out.arm = loaded.H.transpose() * arm;
+  out.reach = load.point.norm() + loaded.o.norm();
+  return out;
+}
+
+/// Loads that balance the joint's load on b, axes of P_a, in the unknown directions.
+template <class T, int n>
+struct Applied {
+  Eigen::Matrix<T, n, 1> load;
+  Eigen::Matrix<T, n, n> tangent;  ///< by the relative position and spin of b
+  Eigen::Matrix<T, n, 1> size;     ///< of what was added up: its rounding is that of the load
+};
+
+/// At load factor 1. @param R  relative rotation P_a^T P_b
+template <Kind kind, class T>
+Applied<T, unknown_count(kind)> applied(const JointLoad<T>& load, const Mat3<T>& R) {
+  constexpr int n = unknown_count(kind);
+  const auto turned = [&](const Vec3<T>& clamped) { return load.on_a ? Vec3<T>(R * clamped) : clamped; };
+  const Vec3<T> f = turned(load.force);
+  Applied<T, n> out;
+  out.tangent.setZero();
+  if constexpr (kind != Kind::angular) {
+    out.load.template head<3>() = f;
+    out.size.template head<3>().setConstant(f.norm());
+    if constexpr (kind != Kind::linear)
+      if (load.on_a) out.tangent.template topRightCorner<3, 3>() = -skew(f);
+  }
+  if constexpr (kind != Kind::linear) {
+    const Vec3<T> fixed = turned(load.moment);
+    const Vec3<T> arm = load.on_a ? load.arm : Vec3<T>(R * load.arm);
+    const Vec3<T> follower = load.on_a ? load.follower_moment : Vec3<T>(R * load.follower_moment);
+    out.load.template tail<3>() = fixed + follower + arm.cross(f);
+    // What turns with the unknown rotation: the fixed directions seen from a, or the loaded frame seen from
+    // a.
+    out.tangent.template bottomRightCorner<3, 3>() = load.on_a
+                                                         ? Mat3<T>(-skew(fixed) - skew(arm) * skew(f))
+                                                         : Mat3<T>(skew(f) * skew(arm) - skew(follower));
+    out.size.template tail<3>().setConstant(fixed.norm() + follower.norm() + arm.norm() * f.norm());
+  }
+  if (load.on_a) {
+    out.load = -out.load;
+    out.tangent = -out.tangent;
+  }
+  return out;
+}
+
+}  // namespace halfway

@@ -1,0 +1,58 @@
+#include "reference/solve/stop_cause.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace halfway::reference {
+
+namespace {
+
+/// Do the loads ahead differ from what the tangent foretells by more than a curved path can?
+bool jumps_ahead(const EquilibriumProblem<double>& problem, const Outcome<double>& state,
+                 const NodeBalance<double>& here, const NodeVector<double>& slope) {
+  constexpr double kAhead = 1e-3;  // rad, or of whatever is unknown
+  const NodeVector<double> step = slope * (kAhead / slope.norm());
+  const NodeVector<double> foretold = here.imbalance - here.tangent * step;
+  const NodeVector<double> there =
+      problem.balance(problem.displaced(state.joint, step), state.factor).imbalance;
+  return (there - foretold).norm() > 10 * (here.tangent * step).norm();
+}
+
+}  // namespace
+
+StopCause stop_cause(const EquilibriumProblem<double>& problem, const Outcome<double>& state) {
+  // Load steps shrink to 1e-9 of an advance: 3e-5 of a turn before a fold, where the softest stiffness is
+  // 1e-4.
+  constexpr double kNearHalfTurn = 1e-3, kGrown = 1e3, kSoft = 1e-2;
+  if (so3::log<double>(state.joint.R).norm() > std::numbers::pi - kNearHalfTurn) return StopCause::half_turn;
+  const NodeBalance<double> rest = problem.balance(problem.start(), 0);
+  const NodeBalance<double> here = problem.balance(state.joint, state.factor);
+  // Over the stiffness at rest, so that no unit and no ratio of stiffnesses counts.
+  const NodeMatrix<double> grown = rest.tangent.partialPivLu().solve(here.tangent);
+  if (!(grown.norm() <= kGrown)) return StopCause::pole;
+  const NodeVector<double> slope = here.tangent.partialPivLu().solve(here.by_factor);
+  if (jumps_ahead(problem, state, here, slope)) return StopCause::jump;
+  const double softest = 1 / grown.inverse().norm();
+  if (!(softest <= kSoft)) return StopCause::unknown;
+  const NodeVector<double> response = rest.tangent.partialPivLu().solve(rest.by_factor);
+  return slope.norm() * std::sqrt(softest) > response.norm() ? StopCause::fold : StopCause::branching;
+}
+
+const char* to_string(StopCause cause) {
+  switch (cause) {
+    case StopCause::half_turn:
+      return "phi reaches pi, where rotation vectors jump";
+    case StopCause::jump:
+      return "an angle of the law reaches pi and jumps";
+    case StopCause::pole:
+      return "the loads grow without bound: a pole of the formulation, gimbal lock";
+    case StopCause::fold:
+      return "a fold: this path carries no more load";
+    case StopCause::branching:
+      return "a branching: the tangent is singular there";
+    default:
+      return "no smaller load step converges on this branch";
+  }
+}
+
+}  // namespace halfway::reference
