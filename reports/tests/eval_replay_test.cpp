@@ -1,4 +1,5 @@
-// What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own worst case.
+// What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own
+// worst case.
 #include "reports/tests/eval_support.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/replay.hpp"
@@ -10,7 +11,8 @@ using namespace halfway::reports::test;
 
 namespace {
 
-// Poses travel as quaternions, 17 digits each: some roundings, magnified by laws of a spread of 100 near poles.
+// Poses travel as quaternions, 17 digits each: some roundings, magnified by laws of a spread of 100 near
+// poles.
 constexpr double kRounding = 1e-11;
 
 void check_replay(const reference::Entry& entry, const verify::Probe& probe) {
