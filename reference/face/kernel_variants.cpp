@@ -3,10 +3,8 @@
 #include "halfway/systems/intrinsic.hpp"
 #include "reference/face/kernel_instance.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace halfway::reference {
 namespace {
@@ -62,43 +60,19 @@ KernelVariant variant(std::string_view name) {
           &variant_from_matrices<T, Accuracy>};
 }
 
-constexpr std::size_t kFormulations = 0
-#define HALFWAY_FORMULATION(...) +1
-#include "halfway/catalog.def"
-#undef HALFWAY_FORMULATION
-    ;
-
-/// The catalog's entry number `at` by its kernel. A pointer to a function carries no entry with it:
-/// hence one pair of functions an entry.
-template <std::size_t at, class T>
-struct ByKernel {
-  static const KernelEvaluators<T>& kernel() {
-    const KernelEntry& all = formulations()[at].kernel;
-    if constexpr (std::is_same_v<T, float>)
-      return all.in_float;
-    else
-      return all.in_double;
-  }
-  static AngularLoads<double> angular(const JointSpec& spec, const Pose<double>& a, const Pose<double>& b,
+/// A formulation's loads in double by its kernel in T.
+template <class T>
+void take_loads(Evaluators<double>& out, const KernelEvaluators<T>& kernel) {
+  out.angular = [by = kernel.angular](const JointSpec& spec, const Pose<double>& a, const Pose<double>& b,
                                       bool with_tangent) {
-    return in_double(kernel().angular(stiffness_of(spec), cast<T>(quaternion_pose(a)),
-                                      cast<T>(quaternion_pose(b)), with_tangent));
-  }
-  static NodeLoads<double> point(const JointSpec& spec, const Pose<double>& a, const Pose<double>& b,
-                                 bool with_tangent) {
-    return in_double(kernel().point(stiffness_of(spec), cast<T>(quaternion_pose(a)),
-                                    cast<T>(quaternion_pose(b)), with_tangent));
-  }
-};
-
-struct Functions {
-  decltype(Evaluators<double>::angular) angular;
-  decltype(Evaluators<double>::point) point;
-};
-
-template <class T, std::size_t... at>
-std::array<Functions, sizeof...(at)> table(std::index_sequence<at...>) {
-  return {Functions{&ByKernel<at, T>::angular, &ByKernel<at, T>::point}...};
+    return in_double(
+        by(stiffness_of(spec), cast<T>(quaternion_pose(a)), cast<T>(quaternion_pose(b)), with_tangent));
+  };
+  out.point = [by = kernel.point](const JointSpec& spec, const Pose<double>& a, const Pose<double>& b,
+                                  bool with_tangent) {
+    return in_double(
+        by(stiffness_of(spec), cast<T>(quaternion_pose(a)), cast<T>(quaternion_pose(b)), with_tangent));
+  };
 }
 
 }  // namespace
@@ -124,16 +98,13 @@ Entry with_variant(const Entry& invariant, const KernelVariant& variant) {
 }
 
 Entry with_kernel(const Entry& entry, bool single) {
-  const auto catalog = formulations();
-  const Entry* registered = find_formulation(entry.name);
-  if (registered == nullptr || registered->kernel.in_double.angular == nullptr)
+  if (entry.kernel.in_double.angular == nullptr)
     throw std::invalid_argument(std::string(entry.name) + " has no kernel");
-  const auto at = std::size_t(registered - catalog.data());
-  constexpr auto indices = std::make_index_sequence<kFormulations>();
-  const Functions by = single ? table<float>(indices)[at] : table<double>(indices)[at];
   Entry out = entry;
-  out.in_double.angular = by.angular;
-  out.in_double.point = by.point;
+  if (single)
+    take_loads(out.in_double, entry.kernel.in_float);
+  else
+    take_loads(out.in_double, entry.kernel.in_double);
   return out;
 }
 

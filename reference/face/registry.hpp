@@ -6,20 +6,29 @@
 #include "reference/numbers/dual.hpp"
 #include "reference/numbers/precision.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace halfway::reference {
 
-/// One formulation in scalar T. `angular` serves Kind::angular, `point` the two others.
+/// One formulation in scalar T. `angular` serves Kind::angular, `point` the two others. Nobody times this
+/// face, so that a wrapper (a kernel, a saboteur) is a copy of an Entry with other functions.
 template <class T>
 struct Evaluators {
-  Eigen::Matrix<T, Eigen::Dynamic, 1> (*strain)(const JointSpec&, const Pose<T>& a, const Pose<T>& b);
-  AngularLoads<T> (*angular)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
-  NodeLoads<T> (*point)(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent);
-  /// The potential, where the formulation has one for this kind.
-  std::optional<T> (*energy)(const JointSpec&, const Pose<T>& a, const Pose<T>& b);
+  template <class Result>
+  using At = std::function<Result(const JointSpec&, const Pose<T>& a, const Pose<T>& b)>;
+  template <class Loads>
+  using LoadsAt =
+      std::function<Loads(const JointSpec&, const Pose<T>& a, const Pose<T>& b, bool with_tangent)>;
+
+  At<Eigen::Matrix<T, Eigen::Dynamic, 1>> strain;
+  LoadsAt<AngularLoads<T>> angular;
+  LoadsAt<NodeLoads<T>> point;
+  At<std::optional<T>> energy;  ///< the potential, where the formulation has one for this kind
 };
 
 struct Entry {
@@ -49,11 +58,28 @@ struct Entry {
   }
 };
 
-/// All entries in the order of catalog.def.
+/// The catalog's entries in the order of catalog.def.
+std::span<const Entry> catalogued();
+
+/// The entries in use: the catalog's, or those of a ScopedRegistry.
 std::span<const Entry> formulations();
 
-/// The entry of that name, or nullptr.
+/// The entry in use of that name, or nullptr.
 const Entry* find_formulation(std::string_view name);
+
+/// Other entries in use while it lives, for one thread of control: how wrong twins take the place of
+/// formulations.
+class ScopedRegistry {
+ public:
+  explicit ScopedRegistry(std::vector<Entry> entries);
+  ~ScopedRegistry();
+  ScopedRegistry(const ScopedRegistry&) = delete;
+  ScopedRegistry& operator=(const ScopedRegistry&) = delete;
+
+ private:
+  std::vector<Entry> entries_;
+  std::span<const Entry> before_;
+};
 
 /// An angular joint's loads and tangent in the 12 coordinates of the two nodes.
 template <class T>

@@ -13,7 +13,10 @@ Draft& Draft::of(std::string formulation, std::string kind) {
   return *this;
 }
 
-Draft& Draft::measured(const Measurement& worst) { return measured(worst.value(), worst.where()); }
+Draft& Draft::measured(const Measurement& worst) {
+  f_.replay = worst.replay();
+  return measured(worst.value(), worst.where());
+}
 
 Draft& Draft::measured(double value, std::string where) {
   f_.value = value;

@@ -104,6 +104,7 @@ void to_json(nlohmann::json& json, const Finding& f) {
           {"uncertainty", f.uncertainty},
           {"reason", f.reason},
           {"verdict", to_string(f.verdict)}};
+  if (f.verdict == Verdict::fail && !f.replay.empty()) json["replay"] = f.replay;
 }
 
 }  // namespace halfway::reference

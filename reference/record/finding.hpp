@@ -39,6 +39,7 @@ struct Finding {
   std::string kind{};         ///< angular, linear, linear_angular, or empty
   std::string subject{};      ///< the property or the scene
   std::string parameter{};    ///< where the worst case was: pose, load, angle; for people
+  std::string replay{};       ///< a request of `halfway eval`, or a scene, that has the worst case
   double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: nothing was measured
   std::string unit{};
   double expected = 0;

@@ -35,25 +35,30 @@ T largest_entry(const M& m) {
   return out;
 }
 
-/// An error and where it was the worst. NaN until something is measured.
+/// An error, where it was the worst and what measures it once more. NaN until something is measured.
 class Measurement {
  public:
   Measurement() = default;
   Measurement(double value, std::string where = {})
       : value_(value), where_(std::move(where)), is_empty_(false) {}
 
-  void include(double x, std::string at) {
+  /// @return  is it the worst so far?
+  bool include(double x, std::string at) {
     const bool is_nan = !is_empty_ && !(value_ == value_);
-    if (is_nan || (!is_empty_ && x <= value_)) return;
+    if (is_nan || (!is_empty_ && x <= value_)) return false;
     *this = Measurement(x, std::move(at));
+    return true;
   }
+  /// A request of `halfway eval`, or a scene, that has the worst case.
+  void set_replay(std::string text) { replay_ = std::move(text); }
   double value() const { return value_; }
   const std::string& where() const { return where_; }
+  const std::string& replay() const { return replay_; }
   bool is_empty() const { return is_empty_; }
 
  private:
   double value_ = std::numeric_limits<double>::quiet_NaN();
-  std::string where_ = "nothing measured";
+  std::string where_ = "nothing measured", replay_;
   bool is_empty_ = true;
 };
 

@@ -11,6 +11,7 @@ export interface ResultsFile {
   curves: Array<Curve>;
   timings: Array<Timing>;
   left_out: Array<LeftOut>;
+  saboteurs?: Array<Sabotaged>;
   paper?: Paper;
   solids?: Solids;
   speed?: Speed;
@@ -88,6 +89,7 @@ export interface Finding {
   uncertainty: number | null;
   reason: string;
   verdict: "pass" | "fail" | "known_failure" | "left_out";
+  replay?: string;
 }
 
 export interface Curve {
@@ -128,6 +130,14 @@ export interface Timing {
   bytes: number | null;
   wrong: boolean;
   message: string;
+}
+
+export interface Sabotaged {
+  check: string;
+  room: string;
+  sees: Array<string>;
+  caught_by: Array<string>;
+  wrong: Array<string>;
 }
 
 export interface LeftOut {

@@ -11,6 +11,7 @@
 #include "reports/views/stability.hpp"
 #include "reports/views/writers.hpp"
 #include "verify/check.hpp"
+#include "verify/oracle/saboteurs/matrix.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -66,6 +67,7 @@ void verify_all(const ReportOptions& options, Results& results) {
     for (const auto& finding : findings_of(check)) results.findings.push_back(finding);
     progress(++done, int(checks.size()), check.name);
   }
+  results.saboteurs = verify::computed_rows();
   for (const auto& f : results.findings) {
     if (f.verdict == reference::Verdict::left_out) results.left_out.push_back({f.name, f.reason});
   }

@@ -79,6 +79,24 @@ static void to_json(nlohmann::json& json, const Curve& curve) {
 
 }  // namespace halfway::reference
 
+namespace halfway::verify {
+
+static void to_json(nlohmann::json& json, const Row& row) {
+  std::vector<std::string> sees;
+  const auto add = [&](bool does, const char* what) {
+    if (does) sees.emplace_back(what);
+  };
+  add(row.seen.moments, "moments"), add(row.seen.forces, "forces"), add(row.seen.tangent, "tangent");
+  add(row.seen.strain, "strain"), add(row.seen.energy, "energy");
+  json = {{"check", row.check},
+          {"room", row.room},
+          {"sees", sees},
+          {"caught_by", row.caught},
+          {"wrong", row.wrong}};
+}
+
+}  // namespace halfway::verify
+
 namespace halfway::reports {
 
 std::vector<FormulationInfo> formulation_infos() {
@@ -154,6 +172,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"curves", results.curves},
           {"timings", results.timings},
           {"left_out", results.left_out},
+          {"saboteurs", results.saboteurs},
           {"paper", results.paper},
           {"solids", results.solids},
           {"speed", results.speed},

@@ -12,6 +12,9 @@ Draft solid_finding(const std::string& name);
 /// The kept characterisation of a body. Throws std::runtime_error saying how to make it.
 const reference::fe::Characterisation& characterisation(const std::string& body);
 
+/// What the analysis of a solid gave, on its way into a check.
+reference::fe::SecondOrder tapped(reference::fe::SecondOrder s);
+
 /// A compliance whose coupling of translation and rotation is rounding (1e-9) becomes exactly block diagonal:
 /// some formulations refuse a coupled law.
 reference::fe::Mat6 without_rounding(reference::fe::Mat6 C);

@@ -4,6 +4,7 @@
 #include "halfway/rotations/so3.hpp"
 #include "reference/numbers/dual.hpp"
 #include "reference/numbers/precision.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <Eigen/LU>
 
@@ -71,7 +72,7 @@ using Columns = Eigen::Matrix<T, 3, Eigen::Dynamic, 0, 3, 3>;
 /// Largest entry; NaN comes through.
 template <class T>
 double size(const Columns<T>& m) {
-  return double(largest_entry<T>(m));
+  return double(largest_entry<T>(tapped(m)));
 }
 
 template <class T>

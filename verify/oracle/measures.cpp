@@ -1,5 +1,7 @@
 #include "verify/oracle/measures.hpp"
 
+#include "verify/oracle/replay.hpp"
+
 #include <Eigen/LU>
 
 #include <fmt/format.h>
@@ -24,13 +26,16 @@ Real50 largest(const auto& m) { return largest_entry<Real50>(m); }
 
 /// Keeps the worst of the probes; a NaN is the worst of all.
 template <class Fn>
-Measurement worst(const std::vector<Probe>& probes, const Fn& defect_of) {
+Measurement worst(const JointUnderTest& joint, const std::vector<Probe>& probes, const Fn& defect_of) {
   Measurement out;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Probe& probe = probes[i];
     const double defect =
         defect_of(probe, exact_pose(probe.a, probe.spec.a), exact_pose(probe.b, probe.spec.b));
-    out.include(defect, fmt::format("probe {}, relative rotation {:.4g} rad", i, probe.phi));
+    const bool is_worst =
+        out.include(defect, fmt::format("probe {}, relative rotation {:.4g} rad", i, probe.phi));
+    if (is_worst && !joint.formulation.empty())
+      out.set_replay(eval_request(joint.formulation, probe.spec, probe.a, probe.b));
   }
   return out;
 }
@@ -82,7 +87,8 @@ JointUnderTest of(const Entry& entry) {
           },
           [e](const JointSpec& s, const Pose<Dual50>& a, const Pose<Dual50>& b) {
             return e->in_dual50.energy(s, a, b);
-          }};
+          },
+          std::string(entry.name)};
 }
 
 Pose<Real50> exact_pose(const Pose<double>& pose, const JointEnd<double>& end) {
@@ -92,14 +98,14 @@ Pose<Real50> exact_pose(const Pose<double>& pose, const JointEnd<double>& end) {
 }
 
 Measurement force_balance(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     const Loads50 q = joint.loads(probe.spec, a, b, false).q;
     return ratio((q.segment<3>(0) + q.segment<3>(6)).norm(), q.segment<3>(6).norm());
   });
 }
 
 Measurement moment_balance(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     const Loads50 q = joint.loads(probe.spec, a, b, false).q;
     const V50 m_a = q.segment<3>(3), m_b = q.segment<3>(9), f_b = q.segment<3>(6);
     return ratio((m_a + m_b + (b.x - a.x).cross(f_b)).norm(), m_a.norm() + m_b.norm());
@@ -107,7 +113,7 @@ Measurement moment_balance(const JointUnderTest& joint, const std::vector<Probe>
 }
 
 Measurement node_swap(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     JointSpec exchanged = probe.spec;
     std::swap(exchanged.a, exchanged.b);
     const Loads50 q_b_a = joint.loads(exchanged, b, a, false).q;
@@ -121,7 +127,7 @@ Measurement objectivity(const JointUnderTest& joint, const std::vector<Probe>& p
   const M50 Q = so3::exp<Real50>(vector(1.1, -0.7, 1.9));
   const V50 shift = vector(0.3, -5, 2);
   const auto carried = [&](const Pose<Real50>& pose) { return Pose<Real50>{Q * pose.x + shift, Q * pose.R}; };
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     Loads50 seen = joint.loads(probe.spec, carried(a), carried(b), false).q;
     for (int i = 0; i < 12; i += 3) seen.segment<3>(i) = V50(Q.transpose() * seen.segment<3>(i));
     return loads_apart(joint.loads(probe.spec, a, b, false).q, seen);
@@ -129,7 +135,7 @@ Measurement objectivity(const JointUnderTest& joint, const std::vector<Probe>& p
 }
 
 Measurement tangent_by_duals(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     Tangent50 derivative;
     each_direction(a, b, [&](int k, const Pose<Dual50>& da, const Pose<Dual50>& db) {
       const auto q = joint.dual_loads(probe.spec, da, db, false).q;
@@ -141,7 +147,7 @@ Measurement tangent_by_duals(const JointUnderTest& joint, const std::vector<Prob
 }
 
 Measurement energy_gradient(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     Loads50 gradient = Loads50::Zero();
     bool has_energy = true;
     each_direction(a, b, [&](int k, const Pose<Dual50>& da, const Pose<Dual50>& db) {
@@ -156,7 +162,7 @@ Measurement energy_gradient(const JointUnderTest& joint, const std::vector<Probe
 }
 
 Measurement symmetry_defect(const JointUnderTest& joint, const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     const NodeLoads<Real50> r = joint.loads(probe.spec, a, b, true);
     Tangent50 defect = r.tangent - r.tangent.transpose();
     for (int i : {3, 9}) defect.block<3, 3>(i, i) += skew<Real50>(r.q.segment<3>(i));
@@ -166,7 +172,7 @@ Measurement symmetry_defect(const JointUnderTest& joint, const std::vector<Probe
 
 Measurement load_difference(const JointUnderTest& joint, const JointUnderTest& other,
                             const std::vector<Probe>& probes) {
-  return worst(probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
+  return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     return loads_apart(other.loads(probe.spec, a, b, false).q, joint.loads(probe.spec, a, b, false).q);
   });
 }

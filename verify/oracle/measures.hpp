@@ -30,6 +30,7 @@ struct JointUnderTest {
   LoadsFn<Real50> loads;
   LoadsFn<Dual50> dual_loads;
   EnergyFn<Dual50> dual_energy;
+  std::string formulation{};  ///< its name in the catalog: a failure can be replayed; empty of a wrong twin
 };
 
 /// The formulation of a registry entry. @param entry  must outlive the result.

@@ -6,6 +6,7 @@
 
 #include "reference/numbers/random.hpp"
 #include "verify/oracle/measures.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -129,7 +130,7 @@ so3::Quaternion<T> as_quaternion(const Eigen::Matrix<T, 4, 1>& q) {
 template <class S, class Function>
 double error_in_eps(const Rotation& r, Scale scale) {
   const auto rounded = exact_input<Function::input>(r).template cast<S>().eval();
-  const auto value = Function::template apply<S>(rounded).template cast<Real50>().eval();
+  const auto value = tapped(Function::template apply<S>(rounded).template cast<Real50>().eval());
   const auto expected = Function::template apply<Real50>(rounded.template cast<Real50>()).eval();
   const auto finite = [](const auto& m) {
     return std::all_of(m.data(), m.data() + m.size(), [](auto x) { return isfinite(x); });

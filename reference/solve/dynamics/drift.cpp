@@ -32,11 +32,20 @@ Scales scales(const std::array<Body, 2>& bodies, double start_energy) {
   return {std::sqrt(2 * start_energy * mass), std::sqrt(2 * start_energy * inertia)};
 }
 
+/// A joint without stiffness at rest, or whose stiffness is no number, has no period to count.
+Drift without_modes() {
+  Drift out;
+  out.largest_energy = out.trend = out.linear = out.angular = std::nan("");
+  out.ending = "no stiffness at rest";
+  return out;
+}
+
 }  // namespace
 
 Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSettings& settings) {
   const System system = elastic_system(entry, scenario.spec, scenario.bodies);
   const auto modes = frequencies(entry, scenario);
+  if (modes.empty()) return without_modes();
   const double period = 2 * std::numbers::pi / modes.front();
   const int per_period =
       std::max(1, int(std::ceil(settings.steps_per_fastest * modes.back() / modes.front())));

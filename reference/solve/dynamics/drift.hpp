@@ -25,7 +25,7 @@ Scenario clamped_scenario(const Entry& entry);
 Scenario free_scenario(const Entry& entry);
 
 /// Circular frequencies of small vibration about the unstrained pose, rad/s, ascending; those of rigid motion
-/// are left out.
+/// are left out. Empty where the tangent there is zero or no number.
 std::vector<double> frequencies(const Entry& entry, const Scenario& scenario);
 
 struct DriftSettings {

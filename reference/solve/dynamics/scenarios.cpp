@@ -64,6 +64,7 @@ std::vector<double> frequencies(const Entry& entry, const Scenario& scenario) {
   const Pose<double> a{};
   const Pose<double> b = unstrained(scenario.spec.a, scenario.spec.b, a);
   Eigen::MatrixXd K = node_loads<double>(entry, scenario.spec, a, b, true).tangent;
+  if (!K.allFinite()) return {};
   Eigen::VectorXd scale(12);
   const bool translates = scenario.spec.kind != Kind::angular;
   scale << inverse_root_mass(scenario.bodies[0], translates),

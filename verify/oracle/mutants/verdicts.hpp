@@ -2,6 +2,7 @@
 #pragma once
 
 #include "verify/oracle/findings.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ inline std::vector<Finding> verdicts(const std::string& name, const std::string&
                                   "just seen, smaller = seen more clearly",
                                   measure, kMargin, limit))
           .by(Oracle::independent),
-      at_most(name + "/healthy", "mutants", healthy, limit, "", Oracle::independent,
+      at_most(name + "/healthy", "mutants", {tapped(healthy.value()), healthy.where()}, limit, "", Oracle::independent,
               "the limit of " + measure + " for the twin without the mistake")};
 }
 

@@ -1,6 +1,7 @@
 // Nonlinear and user-made laws: the same joint, the same guarantees.
 #include "halfway/systems/intrinsic.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ std::vector<Finding> callable() {
     moved.R = so3::exp<double>(w) * b.R;
     return loads<false>(joint, a, moved).m_b;
   };
-  const Mat3<double> tangent = loads<true>(joint, a, b).m_b_wb;
+  const Mat3<double> tangent = tapped(loads<true>(joint, a, b).m_b_wb);
   constexpr double h = 1e-4;
   Measurement worst;
   for (int i = 0; i < 3; ++i) {
@@ -69,7 +70,7 @@ Finding scalar(const char* name) {
   b.R = so3::exp<T>({T(0.25), T(-0.5), T(0.75)});
   Pose<double> b_double;
   b_double.R = so3::exp<double>({0.25, -0.5, 0.75});
-  const Vec3<double> m = loads<false>(joint, Pose<T>{}, b).m_b.template cast<double>();
+  const Vec3<double> m = tapped(loads<false>(joint, Pose<T>{}, b).m_b.template cast<double>().eval());
   const Vec3<double> expected = loads<false>(joint_double, Pose<double>{}, b_double).m_b;
   const double eps =
       larger(double(std::numeric_limits<T>::epsilon()), std::numeric_limits<double>::epsilon());

@@ -1,5 +1,6 @@
 // Loads and tangent in double against the same joint at 50 digits.
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/replay.hpp"
 
 #include <fmt/format.h>
 
@@ -28,8 +29,10 @@ Errors errors(const Entry& entry, const Probe& probe) {
 
 Finding worst(const Entry& entry, Kind kind, Draft f, double Errors::*member) {
   Measurement error;
-  for (const Probe& probe : probes(entry, kind, 40, 1.2))
-    error.include(errors(entry, probe).*member, fmt::format("phi = {:.3g} rad", probe.phi));
+  for (const Probe& probe : probes(entry, kind, 40, 1.2)) {
+    if (error.include(errors(entry, probe).*member, fmt::format("phi = {:.3g} rad", probe.phi)))
+      error.set_replay(eval_request(std::string(entry.name), probe.spec, probe.a, probe.b));
+  }
   return f.measured(error)
       .in("eps")
       .at_most(

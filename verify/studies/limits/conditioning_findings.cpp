@@ -2,6 +2,7 @@
 // constants are held; the factors are what conditioning means.
 #include "verify/oracle/property.hpp"
 #include "verify/studies/limits/conditioning.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -173,7 +174,7 @@ std::vector<Finding> refusals() {
   for (const Bad& bad : {Bad{"indefinite", indefinite, "is singular or indefinite"},
                          Bad{"singular", singular, "is singular or indefinite"},
                          Bad{"negative", Vec3<double>(-1, 1, 2).asDiagonal(), "has -1 on its diagonal"}}) {
-    const std::string message = scene_refusal(bad.K);
+    const std::string message = tapped(scene_refusal(bad.K));
     out.push_back(finding(fmt::format("conditioning/refused/{}", bad.what))
                       .about("conditioning")
                       .measured(message.find(bad.message) == std::string::npos,

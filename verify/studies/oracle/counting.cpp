@@ -3,6 +3,7 @@
 #include "halfway/systems/attached.hpp"
 #include "halfway/systems/intrinsic.hpp"
 #include "verify/oracle/findings.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ using reference::OperationCount;
 Finding equal(const std::string& name, long value, long expected, Oracle oracle) {
   return finding("counting/" + name)
       .about("counting")
-      .measured(double(value))
+      .measured(tapped(double(value)))
       .in("operations")
       .equal(double(expected), 0, "counts are whole numbers")
       .by(oracle);
@@ -91,7 +92,7 @@ OperationCount cost(const Vec3<double>& x_b) {
 Finding less(const std::string& name, long value, long than) {
   return finding("counting/" + name)
       .about("counting")
-      .measured(double(value))
+      .measured(tapped(double(value)))
       .in("flops")
       .at_most(double(than - 1), "a whole number below that of the dearer computation")
       .by(Oracle::independent);

@@ -1,6 +1,7 @@
 // A NaN fails, wherever among the numbers it stands, and so does what measured or was judged by nothing.
 #include "verify/oracle/worst.hpp"
 #include "verify/oracle/findings.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <cmath>
 #include <limits>
@@ -62,7 +63,7 @@ bool passes(const Finding& f) { return f.verdict != Verdict::fail; }
 Finding none(const char* name, int count, const char* unit = "NaNs forgotten") {
   return finding(std::string("worst/") + name)
       .about("worst")
-      .measured(count)
+      .measured(tapped(double(count)))
       .in(unit)
       .equal(0, 0, "a check that forgets a NaN cannot fail")
       .by(Oracle::closed_form);

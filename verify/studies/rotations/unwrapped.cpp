@@ -1,6 +1,7 @@
 // The unwrapped rotation vector over several turns, against paths whose vector is known in closed form.
 #include "halfway/joint/unwrapped.hpp"
 #include "verify/oracle/findings.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -60,7 +61,7 @@ Followed follow(const Winding<T>& path) {
   for (int i = 1; i <= path.steps; ++i) {
     const Vec3<T> theta = path.theta(i);
     const Unwrapping status = rotation.update(so3::exp<T>(theta));
-    const double phi = double(path.phi(i)), error = double(T(T((rotation.theta() - theta).norm())));
+    const double phi = double(path.phi(i)), error = double(T(T((tapped(rotation.theta()) - theta).norm())));
     const std::string at = fmt::format("phi = {:.6g} rad", phi);
     if (status == Unwrapping::at_full_turn) {
       ++out.full_turns;
@@ -148,7 +149,7 @@ std::vector<Finding> statuses() {
   const auto tried = rotation.tried(turned(2.5));
   c.hold(tried.accepted() && rotation.theta() == kept, "state kept after a try");
   rotation.commit(tried);
-  c.hold((rotation.theta() - tried.theta).norm() == 0, "state is the committed one");
+  c.hold((tapped(rotation.theta()) - tried.theta).norm() == 0, "state is the committed one");
   const Mat3<double> nan = Mat3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   c.hold(rotation.update(nan) == Unwrapping::not_finite, "NaN refused by name");
   c.hold(refuses_lost_axis(), "lost axis refused");
@@ -180,7 +181,7 @@ std::vector<Finding> rates() {
     if (!inverse) continue;
     const Vec3<Real50> expected_rate = *inverse * spin;
     for (int i = 0; i < 3; ++i) {
-      const Real50 miss = abs(step.theta[i].d - expected_rate[i]);
+      const Real50 miss = abs(tapped(step.theta[i].d) - expected_rate[i]);
       worst.include(double(miss / expected_rate.norm()), fmt::format("phi = {} rad", phi));
     }
   }

@@ -2,6 +2,7 @@
 // text is broken in one place at a time; "#!" marks the line that the message must name.
 #include "verify/check.hpp"
 #include "verify/oracle/temporary_scene.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "reference/truth/fe/second_order.hpp"
 #include "reference/truth/fe/studies/bearing_fit.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ std::vector<Finding> volumes() {
   for (const auto& family : kept_bearing().at("families")) {
     const fe::Bearing bearing = geometry(family);
     const auto error = [&](int level) {
-      return std::abs(mesh_volume(bearing, level) / bearing.volume() - 1);
+      return std::abs(tapped(mesh_volume(bearing, level)) / bearing.volume() - 1);
     };
     const std::string name = "bearing/volume/" + family.at("name").get<std::string>();
     const double coarse = error(4), fine = error(8);  // all divisions double

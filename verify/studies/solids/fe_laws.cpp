@@ -4,6 +4,7 @@
 #include "reference/numbers/precision.hpp"
 #include "reference/numbers/random.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ std::vector<Finding> law_findings(fe::Law law) {
   const std::string name = std::string("laws/") + to_string(law);
   Measurement worst_stress, worst_tangent, worst_second;
   for (const Mat3<double>& E : strains()) {
-    const fe::LawResponse6 r = respond(law, kMaterial, E);
+    const fe::LawResponse6 healthy = respond(law, kMaterial, E), r{tapped(healthy.S), tapped(healthy.D)};
     const double size = larger(E.norm(), 1e-300);
     const std::string at = fmt::format("|E| = {:.2g}", E.norm());
     for (int k = 0; k < 6; ++k) {

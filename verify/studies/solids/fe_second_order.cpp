@@ -2,6 +2,7 @@
 #include "reference/truth/coupling_fit.hpp"
 #include "reference/truth/second_order.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +24,9 @@ const fe::MeshRun& coarse(const std::string& name) {
   const auto found = runs.find(name);
   if (found != runs.end()) return found->second;
   const fe::Body& body = fe::body_named(name);
-  return runs.emplace(name, characterise(body, joint_point(body), fe::ElementKind::hex20, kCoarse))
-      .first->second;
+  fe::MeshRun run = characterise(body, joint_point(body), fe::ElementKind::hex20, kCoarse);
+  run.result = tapped(run.result);
+  return runs.emplace(name, std::move(run)).first->second;
 }
 
 /// Mirror symmetry between the ends leaves no other value than 1/2, for any law and any mesh that has it.
@@ -103,7 +105,7 @@ double newton_coefficient(const fe::Solid& solid, fe::Law law, double M, bool fo
   const auto quotient = [&](double m) {
     const fe::Equilibrium e = statics.solve(
         law, {Vec3<double>::Zero(), {m * std::cos(a), 0, m * std::sin(a)}, follower}, solid.unloaded());
-    return e.converged ? e.theta()[1] / (m * m) : std::nan("");
+    return e.converged ? tapped(e.theta()[1]) / (m * m) : std::nan("");
   };
   return (4 * quotient(M / 2) - quotient(M)) / 3;
 }

@@ -4,6 +4,7 @@
 #include "reference/truth/fe/incompatible.hpp"
 #include "reference/truth/fe/studies/characterisation.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <cmath>
 
@@ -33,7 +34,7 @@ Eigen::VectorXd balance(const fe::Solid& solid, fe::Law law, const fe::State& st
   const fe::Assembly a = solid.assemble(law, state);
   Eigen::VectorXd out(solid.unknowns());
   out << solid.interior(a.force), solid.face_load(state, a.force);
-  return out;
+  return tapped(out);
 }
 
 /// The assembled tangent times a direction against a fourth-order difference of the assembled forces.
@@ -71,7 +72,7 @@ Finding objectivity(fe::Law law) {
   const Eigen::Matrix3Xd before = solid.assemble(law, state).force;
   const Mat3<double> R = so3::exp<double>(1.3 * g.direction());
   state.u = R * (solid.mesh().X + state.u) - solid.mesh().X;
-  const Eigen::Matrix3Xd after = solid.assemble(law, state).force;
+  const Eigen::Matrix3Xd after = tapped(solid.assemble(law, state).force);
   return solid_finding(std::string("solid/objectivity/") + to_string(law))
       .in("relative")
       .measured((after - R * before).norm() / before.norm())

@@ -3,6 +3,7 @@
 #include "verify/check.hpp"
 #include "verify/oracle/measures.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <numbers>
 
@@ -33,7 +34,7 @@ std::vector<Finding> by_duals(MomentType type) {
       const Mat3<Dual50> turned = so3::exp(w) * R.cast<Dual50>();
       const Dual50 magnitude(M, Real50(k == 3 ? 1 : 0));
       const auto dual = applied_moment(dual_load, magnitude, turned);
-      Vec3<Real50> difference = k < 3 ? m.m_w.col(k) : m.m_M;
+      Vec3<Real50> difference = tapped(k < 3 ? Vec3<Real50>(m.m_w.col(k)) : m.m_M);
       for (int j = 0; j < 3; ++j) difference[j] -= dual.m[j].d;
       worst.include(double(largest_entry<Real50>(difference)), k < 3 ? "spin" : "magnitude");
       const auto potential = moment_potential(dual_load, magnitude, turned);
@@ -54,7 +55,7 @@ std::vector<Finding> work_round_a_loop(MomentType type) {
   return {
       finding(name_of(type, "ziegler_work"))
           .about("stability_kind")
-          .measured(ziegler_work(type))
+          .measured(tapped(ziegler_work(type)))
           .in("J")
           .equal(
               dead_forces ? 0 : -std::numbers::pi, 1e-14,
@@ -70,7 +71,7 @@ std::vector<Finding> half_a_follower() {
   const auto follower = applied_moment<Real50>({MomentType::follower, 2, angle}, M, R);
   return {finding(name_of(MomentType::semi_tangential, "half_a_follower"))
               .about("stability_kind")
-              .measured(double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * semi.m_w - follower.m_w))))
+              .measured(double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * tapped(semi.m_w) - follower.m_w))))
               .in("N m")
               .at_most(1e-48, "50 digits of 3 N m")
               .by(Oracle::closed_form)};

@@ -2,18 +2,23 @@
 //   halfway_verify                  all checks
 //   halfway_verify --check NAME     one check (what ctest calls)
 //   halfway_verify --list           "label name" of each check
+//   halfway_verify --sabotage NAME[:FORMULATION] --check NAME
+//                                   one check of a wrong twin, which it should catch (exit code 1)
 #define BOOST_TEST_NO_MAIN
 #define BOOST_TEST_DYN_LINK
 #include <boost/test/unit_test.hpp>
 
 #include "verify/check.hpp"
+#include "verify/oracle/saboteurs/trial.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -50,6 +55,8 @@ void run(const Check& check) {
   BOOST_TEST(!findings.empty(), check.name << " measured nothing");
   for (const Finding& f : findings) {
     std::puts(line(f).c_str());
+    if (f.verdict == Verdict::fail && !f.replay.empty())
+      fmt::print("replay: echo '{}' | ./halfway eval\n", f.replay);
     if (std::isfinite(f.value)) {
       fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name,
                  f.value);
@@ -90,7 +97,33 @@ bool init() {
   return found;
 }
 
+/// Exit code 1: caught, as it should be; 0: the check passes all the same; 2: it crashed, or hung.
+int run_sabotaged(const std::string& what, const std::string& name) {
+  using namespace halfway::verify;
+  const std::size_t colon = std::min(what.find(':'), what.size());
+  const Saboteur* saboteur = find_saboteur(what.substr(0, colon));
+  if (saboteur == nullptr) {
+    std::fprintf(stderr, "halfway_verify: no saboteur is called '%s'; there are:\n", what.c_str());
+    for (const Saboteur& s : saboteurs()) fmt::print(stderr, "  {:18} {}\n", s.name, s.does);
+    return 2;
+  }
+  const std::string formulation = what.substr(std::min(colon + 1, what.size()));
+  if (!formulation.empty() && halfway::reference::find_formulation(formulation) == nullptr)
+    throw std::runtime_error("no formulation is called '" + formulation + "'");
+  const ScopedSabotage guard(*saboteur, formulation);
+  const Checks checks = all_checks();
+  const auto check = std::ranges::find(checks, name, &Check::name);
+  if (check == checks.end()) throw std::runtime_error("no check is called '" + name + "'; see --list");
+  constexpr int kSeconds = 120;
+  const Trial trial = run_apart(*check, kSeconds);
+  fmt::print("{} {} {}{}\n", check->name, to_string(trial.outcome), what,
+             trial.by.empty() ? "" : ": " + trial.by);
+  return trial.caught() ? 1 : trial.outcome == Outcome::passed ? 0 : 2;
+}
+
 int run_main(int argc, char** argv) {
+  if (argc == 5 && std::strcmp(argv[1], "--sabotage") == 0 && std::strcmp(argv[3], "--check") == 0)
+    return run_sabotaged(argv[2], argv[4]);
   if (argc > 1 && std::strcmp(argv[1], "--list") == 0) {
     for (const Check& check : halfway::verify::all_checks()) fmt::print("{} {}\n", check.label, check.name);
     return 0;

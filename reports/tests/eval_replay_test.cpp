@@ -1,0 +1,55 @@
+// What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own
+// worst case.
+#include "reports/tests/eval_support.hpp"
+#include "verify/oracle/probes.hpp"
+#include "verify/oracle/replay.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace halfway;
+using namespace halfway::reports::test;
+
+namespace {
+
+// Poses travel as quaternions, 17 digits each: some roundings, magnified by laws of a spread of 100 near
+// poles.
+constexpr double kRounding = 1e-11;
+
+void check_replay(const reference::Entry& entry, const verify::Probe& probe) {
+  const std::string request = verify::eval_request(std::string(entry.name), probe.spec, probe.a, probe.b);
+  BOOST_TEST(request.find('\n') == std::string::npos);
+  const nlohmann::json found = answer(request);
+  BOOST_REQUIRE_MESSAGE(!found.contains("error"), found.dump());
+  const auto loads = reference::node_loads<double>(entry, probe.spec, probe.a, probe.b, true);
+  const auto held = [&](const char* what, const Eigen::MatrixXd& value, const Eigen::MatrixXd& expected) {
+    const double error = (value - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+    BOOST_TEST(error <= kRounding, what << " off by " << error);
+  };
+  held("loads", matrix_of(found["loads"]), loads.q);
+  held("tangent", matrix_of(found["tangent"]), loads.tangent);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(replay)
+
+BOOST_AUTO_TEST_CASE(same_loads) {
+  for (const auto& entry : reference::formulations()) {
+    for (Kind kind : kKinds) {
+      for (verify::Probe probe : verify::probes(entry, kind, 3, 1.5)) {
+        BOOST_TEST_CONTEXT(entry.name << '/' << to_string(kind)) {
+          check_replay(entry, probe);
+          auto& law = std::get<reference::LinearSpec>(probe.spec.law);
+          law = {law.matrix.inverse(), true};
+          law.matrix = (law.matrix + law.matrix.transpose()) / 2;
+          check_replay(entry, probe);
+          const Eigen::VectorXd k = Eigen::VectorXd::LinSpaced(strain_count(kind), 1, 40);
+          probe.spec.law = reference::PolynomialSpec{k, k / 3, k / 7};
+          check_replay(entry, probe);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

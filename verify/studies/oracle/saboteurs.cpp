@@ -1,0 +1,134 @@
+// Every check proves that it can fail: the suite's own checks against sabotaged formulations.
+#include "verify/effort.hpp"
+#include "verify/oracle/saboteurs/matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <map>
+#include <stdexcept>
+
+namespace halfway::verify {
+namespace {
+
+/// The half-way form, a conservative one, one with a free xi and another program's.
+constexpr std::string_view kRepresentatives[] = {"invariant", "conformal", "intrinsic", "drake_rpy"};
+
+/// The rooms whose checks were all seen to fail for what they judge: another one joins by its name here.
+constexpr const char* kRooms[] = {"joints"};
+
+/// Is the check about another formulation than these?
+bool is_about_others(const std::string& check) {
+  for (const auto& entry : reference::catalogued()) {
+    const bool is_named = ("/" + check + "/").find("/" + std::string(entry.name) + "/") != std::string::npos;
+    if (is_named && std::ranges::find(kRepresentatives, entry.name) == std::end(kRepresentatives))
+      return true;
+  }
+  return false;
+}
+
+Checks of_room(const std::string& room) {
+  Checks checks = all_checks();
+  std::erase_if(checks, [&](const Check& check) {
+    return check.label != room || check.name.starts_with("saboteurs/") || is_about_others(check.name);
+  });
+  return checks;
+}
+
+std::map<std::string, std::vector<Row>>& tables() {
+  static std::map<std::string, std::vector<Row>> all;
+  return all;
+}
+
+std::vector<Finding> findings_of_room(const std::string& room) {
+  std::vector<Finding> out;
+  for (const Row& row : rows_of_room(room)) out.push_back(finding_of(row));
+  return out;
+}
+
+// The mechanism itself ------------------------------------------------------------------------------
+
+std::vector<Finding> passing(double value) {
+  return {finding("dummy").measured(value).at_most(1, "a dummy").by(Oracle::independent)};
+}
+
+double moment() {
+  const auto& entry = *reference::find_formulation("invariant");
+  const Pose<double> a;
+  Pose<double> b;
+  b.R = so3::exp<double>({0.3, -0.5, 0.7});
+  reference::JointSpec spec;
+  spec.law = reference::LinearSpec{Eigen::Vector3d(1, 2, 3).asDiagonal().toDenseMatrix(), false};
+  return entry.in_double.angular(spec, a, b, false).m_b.norm();
+}
+
+Row row_of(const std::string& name, const std::function<std::vector<Finding>()>& run) {
+  const auto make = [&] { return Checks{{name, "dummies", run}}; };
+  return matrix(make, {.every = 1, .limit = 1}).front();
+}
+
+Finding seen(const std::string& what, const Row& row, std::string_view wrong) {
+  const bool is_red = finding_of(row).verdict == Verdict::fail;
+  const bool is_named = std::ranges::any_of(row.wrong, [&](const auto& w) { return w.starts_with(wrong); });
+  return finding("saboteurs/self/" + what)
+      .about("saboteurs")
+      .measured(is_red && is_named ? 1 : 0, finding_of(row).parameter)
+      .equal(1, 0, "a check that " + what + " turns the suite red")
+      .by(Oracle::independent);
+}
+
+/// Checks that no suite should have, each registered here alone.
+std::vector<Finding> self() {
+  const auto is_nan = [] { return std::isnan(moment()); };
+  const double healthy = moment();
+  return {seen("cannot_fail", row_of("dummies/cannot_fail", [] { return passing(0 * int(moment() > 0)); }),
+               "passed moments_nan"),
+          seen("looks_at_nothing", row_of("dummies/looks_at_nothing", [] { return passing(0); }),
+               "looks at no formulation"),
+          seen("sees_no_finite_mistake",
+               row_of("dummies/sees_nan_alone", [=] { return passing(is_nan() ? 2 : 0); }),
+               "passed every finite"),
+          seen("crashes",
+               row_of("dummies/crashes",
+                      [=] {
+                        if (is_nan()) std::raise(SIGSEGV);
+                        return passing(std::abs(moment() - healthy) * 1e9);
+                      }),
+               "crashed moments_nan"),
+          seen("hangs",
+               row_of("dummies/hangs",
+                      [=] {
+                        for (volatile bool forever = is_nan(); forever;) continue;
+                        return passing(std::abs(moment() - healthy) * 1e9);
+                      }),
+               "hung moments_nan"),
+          finding("saboteurs/self/sound")
+              .about("saboteurs")
+              .measured(
+                  double(row_of("dummies/sound", [=] { return passing(std::abs(moment() - healthy) * 1e9); })
+                             .wrong.size()))
+              .equal(0, 0, "a check that sees both stays green")
+              .by(Oracle::independent)};
+}
+
+}  // namespace
+
+const std::vector<Row>& rows_of_room(const std::string& room) {
+  auto& all = tables();
+  if (const auto it = all.find(room); it != all.end()) return it->second;
+  return all[room] = matrix([&] { return of_room(room); }, {.every = by_effort(1, 12), .limit = 20});
+}
+
+std::vector<Row> computed_rows() {
+  std::vector<Row> out;
+  for (const auto& [room, rows] : tables()) out.insert(out.end(), rows.begin(), rows.end());
+  return out;
+}
+
+void saboteurs(Checks& checks) {
+  for (const char* room : kRooms)
+    checks.push_back({std::string("saboteurs/") + room, "oracle", [room] { return findings_of_room(room); }});
+  checks.push_back({"saboteurs/self", "oracle", self});
+}
+
+}  // namespace halfway::verify
