@@ -26,8 +26,8 @@ std::string critical_csv(const reference::Scene& scene, const std::vector<refere
 std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
                         const std::vector<LeftOut>& left_out);
 
-/// The last row of every curve with outcome, estimated error, iterations and residual, and the critical state where asked;
-/// then what was left out and why.
+/// The last row of every curve with outcome, estimated error, iterations and residual, and the critical state
+/// where asked; then what was left out and why.
 std::string curves_table(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
                          const std::vector<LeftOut>& left_out);
 

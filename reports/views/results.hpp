@@ -52,7 +52,7 @@ struct Results {
   std::vector<reference::Curve> curves;
   std::vector<bench::Timing> timings;
   std::vector<LeftOut> left_out;
-  std::vector<verify::Row> saboteurs;  ///< what each check was seen to fail for
+  std::vector<verify::Row> saboteurs;                   ///< what each check was seen to fail for
   nlohmann::json paper = nlohmann::json::object();      ///< printed tables and others' curves, see SCHEMA.md
   nlohmann::json solids = nlohmann::json::object();     ///< the 3D truth, see SCHEMA.md
   nlohmann::json speed = nlohmann::json::object();      ///< limits, targets and choices, see SCHEMA.md

@@ -13,8 +13,8 @@ struct Band {
   constexpr bool holds() const { return high == 0; }
 };
 
-/// The band round a measured defect, a quarter of it either way: kept from this code, for a given probe set. It shows
-/// a change and proves nothing; that there is a defect, and its order, is theory.
+/// The band round a measured defect, a quarter of it either way: kept from this code, for a given probe set.
+/// It shows a change and proves nothing; that there is a defect, and its order, is theory.
 constexpr Band near(double measured) { return {0.8 * measured, 1.25 * measured}; }
 
 /// One band for each kind of joint.

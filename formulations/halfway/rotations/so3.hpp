@@ -1,13 +1,13 @@
 // Rotations: exponential and logarithm, their Jacobian Gamma, half rotations, Cayley, quaternions.
 //
-// Accuracy contract over every decade of phi from 1e-16 to pi - 1e-12, for float, double and long double; each line is
-// a row of verify/studies/rotations/so3_table.cpp:
+// Accuracy contract over every decade of phi from 1e-16 to pi - 1e-12, for float, double and long double;
+// each line is a row of verify/studies/rotations/so3_table.cpp:
 //   exp, matrix, half, cayley          4 eps, each entry, absolute
 //   log, quaternion, gamma,
 //   gamma_inverse, cayley_inverse      4 eps of the largest entry of the result
-// The reference is the same input at 50 digits. eps is that of the scalar. At 50 digits themselves every function keeps
-// its power series or defining equation to 500 eps; exp and log carry the derivative of dual numbers to 16 eps of double
-// (so3_formulas.cpp). Nothing is promised of other scalars.
+// The reference is the same input at 50 digits. eps is that of the scalar. At 50 digits themselves every
+// function keeps its power series or defining equation to 500 eps; exp and log carry the derivative of dual
+// numbers to 16 eps of double (so3_formulas.cpp). Nothing is promised of other scalars.
 #pragma once
 
 #include "halfway/rotations/isotropic.hpp"

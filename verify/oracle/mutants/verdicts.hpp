@@ -33,8 +33,8 @@ inline std::vector<Finding> verdicts(const std::string& name, const std::string&
                                   "just seen, smaller = seen more clearly",
                                   measure, kMargin, limit))
           .by(Oracle::independent),
-      at_most(name + "/healthy", "mutants", {tapped(healthy.value()), healthy.where()}, limit, "", Oracle::independent,
-              "the limit of " + measure + " for the twin without the mistake")};
+      at_most(name + "/healthy", "mutants", {tapped(healthy.value()), healthy.where()}, limit, "",
+              Oracle::independent, "the limit of " + measure + " for the twin without the mistake")};
 }
 
 inline void add_mutant(Checks& checks, const char* name, const char* measure, double limit,

@@ -1,8 +1,8 @@
 // How a batch runs must not change what it returns: any number of joints, threads, stores past the
 // caches, shared laws, mixtures.
 #include "halfway/batch/plan.hpp"
-#include "verify/studies/kernels/batch.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
+#include "verify/studies/kernels/batch.hpp"
 
 #include <fmt/format.h>
 

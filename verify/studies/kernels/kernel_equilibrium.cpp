@@ -6,9 +6,9 @@
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/jointc.hpp"
 #include "reference/face/kernel_instance.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/scene_access.hpp"
 #include "verify/oracle/worst.hpp"
-#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // How many digits each formulation loses, and to what: error = constant x eps x a known factor. The
 // constants are held; the factors are what conditioning means.
 #include "verify/oracle/property.hpp"
-#include "verify/studies/limits/conditioning.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
+#include "verify/studies/limits/conditioning.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // What is drawn must not depend on the compiler: two draws in one unsequenced expression would.
 #include "reference/face/kernel_entry.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/limits/random_scene.hpp"
 #include "verify/studies/limits/random_scene_text.hpp"
-#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <cmath>
 

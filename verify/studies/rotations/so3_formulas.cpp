@@ -1,8 +1,8 @@
 // The formulas of formulations/so3.hpp by roads that share nothing with them: power series and defining
 // equations at 50 digits, and the derivatives that dual numbers take through them.
 #include "verify/oracle/findings.hpp"
-#include "verify/oracle/so3_measure.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
+#include "verify/oracle/so3_measure.hpp"
 
 #include <Eigen/LU>
 

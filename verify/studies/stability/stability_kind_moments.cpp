@@ -69,12 +69,13 @@ std::vector<Finding> half_a_follower() {
   const Mat3<Real50> R = so3::exp<Real50>(angle * Vec3<Real50>::UnitZ());
   const auto semi = applied_moment<Real50>({MomentType::semi_tangential, 2, angle}, M, R);
   const auto follower = applied_moment<Real50>({MomentType::follower, 2, angle}, M, R);
-  return {finding(name_of(MomentType::semi_tangential, "half_a_follower"))
-              .about("stability_kind")
-              .measured(double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * tapped(semi.m_w) - follower.m_w))))
-              .in("N m")
-              .at_most(1e-48, "50 digits of 3 N m")
-              .by(Oracle::closed_form)};
+  return {
+      finding(name_of(MomentType::semi_tangential, "half_a_follower"))
+          .about("stability_kind")
+          .measured(double(largest_entry<Real50>(Mat3<Real50>(Real50(2) * tapped(semi.m_w) - follower.m_w))))
+          .in("N m")
+          .at_most(1e-48, "50 digits of 3 N m")
+          .by(Oracle::closed_form)};
 }
 
 }  // namespace
