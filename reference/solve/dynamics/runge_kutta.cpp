@@ -1,5 +1,7 @@
 #include "reference/solve/dynamics/runge_kutta.hpp"
 
+#include "reference/record/worst.hpp"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 

@@ -80,10 +80,12 @@ double relative(double a, double b) { return a == b ? 0 : std::abs(a - b) / std:
 
 void include(Measurement& out, const std::optional<Critical>& a, const std::optional<Critical>& b,
              const char* what) {
-  if (a.has_value() != b.has_value()) return out.include(std::nan(""), fmt::format("{} of one alone", what));
-  if (a)
+  if (a.has_value() != b.has_value()) {
+    out.include(std::nan(""), fmt::format("{} of one alone", what));
+  } else if (a) {
     out.include(relative(double(a->load), double(b->load)),
                 fmt::format("{} at {:.10g}", what, double(a->load)));
+  }
 }
 
 }  // namespace
