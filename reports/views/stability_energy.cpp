@@ -1,5 +1,6 @@
 #include "reports/views/stability_energy.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/dynamics/drift.hpp"
 #include "verify/oracle/measures.hpp"
 
@@ -40,7 +41,7 @@ json envelope(const d::Drift& run) {
   for (const auto& s : run.samples) {
     if (s.period == 0) continue;
     if (edge == 0) edge = s.period;
-    keep_largest(largest, std::abs(s.energy));
+    reference::keep_largest(largest, std::abs(s.energy));
     if (s.period < edge && &s != &run.samples.back()) continue;
     out.push_back({rounded(s.period), rounded(largest)});
     largest = 0;

@@ -1,6 +1,6 @@
 #include "reports/views/stability_range.hpp"
 
-#include "reports/eval/eval_request.hpp"
+#include "reports/eval/eval_line.hpp"
 #include "verify/studies/limits/conditioning.hpp"
 #include "verify/studies/limits/turns.hpp"
 
@@ -112,12 +112,10 @@ std::string eval_refusal(double drift) {
                   {"a", rest},
                   {"b", node}};
   if (entry.needs_xi) request["xi"] = entry.probe_xi;
-  try {
-    read_request(request);
-  } catch (const EvalError& error) {
-    return fmt::format("{}: {}", error.code, error.what());
-  }
-  return "";
+  const json answer = json::parse(eval_line(request.dump()));
+  if (!answer.contains("error")) return "";
+  const json& error = answer.at("error");
+  return fmt::format("{}: {}", error.at("code").get<std::string>(), error.at("message").get<std::string>());
 }
 
 json refusals() {

@@ -118,7 +118,7 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
                         .at_most(at_most, reason)
                         .by(Oracle::independent));
     };
-    const Batch batch({std::string(entry.name), kind}, isa);
+    const Batch batch({.formulation = std::string(entry.name), .kind = kind, .xi = entry.probe_xi}, isa);
     hold("_loads", errors.loads, kLimit, kLoadsReason);
     hold("_tangent", errors.tangent, kLimit, kTangentReason);
     hold("_polynomial_loads", of_odd.loads, kLimit, kLoadsReason);

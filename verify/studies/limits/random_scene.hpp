@@ -18,18 +18,11 @@ struct RandomScene {
 /// by one, one scene in twenty 1e-150 ... 1e150 times; either node loaded, anywhere in space.
 RandomScene random_scene(Generator& random, const Entry& entry);
 
-/// Of the state that Path reports: the imbalance over what rounding may leave of it.
-struct Soundness {
-  bool is_finite = true;  ///< pose, factor and residual
-  double in_rounding =
-      0;  ///< largest |internal - applied|, in eps (|applied| + |tangent| |pose|), by component
-};
-
 /// How far Newton at 50 digits goes from the state that Path reports to the equilibrium next to it: rad, and
 /// for displacements relative to 1 m + |x|. NaN where it finds none: the state is none.
 double distance_to_equilibrium(const RandomScene& random, const Entry& entry, const Outcome<double>& state);
 
-/// By the formulation's loads themselves, not by the solver or EquilibriumProblem.
-Soundness soundness(const RandomScene& random, const Entry& entry, const Outcome<double>& state);
+/// Is all that Path reports a number: pose of the node, factor and residual?
+bool is_finite(const RandomScene& random, const Entry& entry, const Outcome<double>& state);
 
 }  // namespace halfway::reference
