@@ -22,7 +22,8 @@ void check_replay(const reference::Entry& entry, const verify::Probe& probe) {
   BOOST_REQUIRE_MESSAGE(!found.contains("error"), found.dump());
   const auto loads = reference::node_loads<double>(entry, probe.spec, probe.a, probe.b, true);
   const auto held = [&](const char* what, const Eigen::MatrixXd& value, const Eigen::MatrixXd& expected) {
-    const double error = (value - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+    const double error =
+        reference::largest_entry<double>(value - expected) / reference::largest_entry<double>(expected);
     BOOST_TEST(error <= kRounding, what << " off by " << error);
   };
   held("loads", matrix_of(found["loads"]), loads.q);

@@ -73,7 +73,7 @@ class LoadedJoint {
       : internal_(internal), load_(load), factor_(factor), joint_(start) {}
 
   NewtonLook<T> look() {
-    using std::sqrt;
+    using std::sqrt, std::isfinite;
     const Balance<T, n> inside = internal_(joint_);
     const Applied<T, n> outside = applied<kind>(load_, joint_.R);
     by_factor_ = outside.load;
@@ -81,6 +81,9 @@ class LoadedJoint {
     imbalance_ = factor_ * outside.load - inside.load;
     rounding_ = rounding_of<kind>(inside, outside, factor_, joint_);
     step_ = solved(J_, imbalance_);
+    // Loads that overflow have no rounding that an imbalance could be below.
+    const T overflow = rounding_.sum();
+    if (!isfinite(overflow)) return {overflow, false};
     // The root of the corrections' work: the one measure in which radians and metres, soft and stiff, add up.
     return {sqrt(T(step_.cwiseProduct(imbalance_).cwiseAbs().sum())),
             (imbalance_.cwiseAbs().array() <= rounding_.array()).all()};

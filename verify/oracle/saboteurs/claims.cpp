@@ -15,6 +15,7 @@ struct Overlooks {
 constexpr Overlooks kOverlooked[] = {
     {"/force_balance", {.moments = true}, "adds the forces alone"},
     {"/symmetry", {.forces = true}, "the commutator of the spins is of the moments"},
+    {"/linear/modelling_error", {.forces = true}, "judges the moment of a node whose orientation is held"},
     {"/rounding_tangent", {.moments = true, .forces = true}, "compares tangents; /rounding has the loads"},
 };
 

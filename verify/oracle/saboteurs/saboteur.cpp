@@ -27,6 +27,17 @@ Entry strain_nan(const Entry& healthy) {
   });
 }
 
+Entry strain_off(const Entry& healthy) {
+  return changed(healthy, []<class T>(Evaluators<T>& e) {
+    e.strain = [strain = e.strain](const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+      auto out = strain(spec, a, b);
+      const auto whole = out;
+      for (int i = 0; i < out.size(); ++i) out[i] += T(0.01) * whole[(i + 1) % out.size()];
+      return out;
+    };
+  });
+}
+
 Entry untouched(const Entry& healthy) { return healthy; }
 
 Entry energy_nan(const Entry& healthy) {
@@ -48,6 +59,7 @@ constexpr Saboteur kAll[] = {
     {"tap_nan", "numbers of what has no face are NaN", {.taps = true}, &untouched, Tap::nan},
     {"throws", "loads throw", {}, &wrapped<Throws>},
     {"loads_too_large", "loads and tangent are 1e-6 too large", {}, &wrapped<LoadsTooLarge>},
+    {"strain_off", "each strain has a hundredth of the next one in it", {}, &strain_off},
     {"transposed_frame", "loads are turned by P_a P_b^T", {}, &wrapped<TransposedFrame>},
     {"tangent_off", "one entry of the tangent is off by 1e-6 of its norm", {}, &wrapped<TangentOff>},
     {"half_rate", "the half-way frame turns at half the sum of the spins", {}, &wrapped<HalfRate>},

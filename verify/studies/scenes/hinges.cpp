@@ -32,7 +32,8 @@ void include(Sweep& sweep, const HingeScene& hinge, const Entry& entry, const Pa
   const double size(exact.norm());
   const double off(Real50((rotation_of(path).template cast<Real50>() - exact).norm()));
   const double relative = off / size;
-  const double limit = relative <= kLimit ? kLimit : std::max(kLimit, 100 * floor_of(hinge, entry, exact));
+  const double limit =
+      relative <= kLimit ? kLimit : reference::larger(kLimit, 100 * floor_of(hinge, entry, exact));
   sweep.error.include(relative / limit, hinge.where);
   sweep.estimate.include(off / (path.output_error("theta_x") + kRead * size), hinge.where);
   sweep.iterations.include(path.state().iterations, hinge.where);
