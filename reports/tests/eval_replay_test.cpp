@@ -1,5 +1,6 @@
 // What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own
 // worst case.
+#include "reference/record/worst.hpp"
 #include "reports/tests/eval_support.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/replay.hpp"

@@ -28,12 +28,21 @@ Pose<T> displaced(const Pose<T>& joint, const Eigen::Matrix<T, unknown_count(kin
   return out;
 }
 
+/// By cofactors. A determinant that overflows would make the inverse zero, and any state an equilibrium.
+template <class T>
+Mat3<T> inverse_of(const Mat3<T>& J) {
+  using std::isfinite;
+  if (isfinite(T(J.determinant()))) return J.inverse();
+  const T largest = J.cwiseAbs().maxCoeff();
+  return Mat3<T>(J / largest).inverse() / largest;
+}
+
 /// J^-1 r; not finite where J is singular. Three unknowns by cofactors, six by elimination: Newton
 /// corrects what either loses, because the imbalance is computed afresh.
 template <class T, int n>
 Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matrix<T, n, 1>& r) {
   if constexpr (n == 3)
-    return J.inverse() * r;
+    return inverse_of<T>(J) * r;
   else
     return J.partialPivLu().solve(r);
 }
@@ -94,7 +103,13 @@ class LoadedJoint {
   /// d(dx, psi) / d(load factor) along the path.
   Vector slope() const { return solved(J_, by_factor_); }
   /// What the rounding of the loads, or what is left of the imbalance, can be off in each unknown: |J^-1| r.
-  Vector error() const { return J_.inverse().cwiseAbs() * Vector(imbalance_.cwiseAbs().cwiseMax(rounding_)); }
+  Vector error() const {
+    const Vector off = imbalance_.cwiseAbs().cwiseMax(rounding_);
+    if constexpr (n == 3)
+      return inverse_of<T>(J_).cwiseAbs() * off;
+    else
+      return J_.inverse().cwiseAbs() * off;
+  }
   /// |internal - applied| / |applied|
   T residual() const {
     const T scale = T(factor_ * factor_) * by_factor_.squaredNorm();

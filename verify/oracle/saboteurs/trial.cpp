@@ -20,6 +20,7 @@ bool can_fail(const Finding& f) {
 
 Trial run_here(const Check& check, const Parts& seen) {
   Trial out{.outcome = Outcome::passed};
+  tap_state().passed = 0;  // what the parent has run before is not this check's
   try {
     const auto findings = check.run();
     const auto failed = std::ranges::find(findings, Verdict::fail, &Finding::verdict);
