@@ -4,6 +4,7 @@
 #include "bench/peak/peak.hpp"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
