@@ -38,6 +38,10 @@ Flops with_variants(Flops flops) {
 int check(const Flops& counted) {
   int different = 0;
   for (const auto& [name, flops] : counted) {
+    if (!kept_flops().contains(name)) {  // a new formulation's: until they are recorded its rows have none
+      std::printf("not kept yet: %s: %.17g flops\n", name.c_str(), flops);
+      continue;
+    }
     if (kept_flops(name) == flops) continue;
     ++different;
     std::printf("FAIL %s: %.17g flops, kept %.17g\n", name.c_str(), flops, kept_flops(name));
