@@ -64,7 +64,7 @@ double size(const Eigen::MatrixXd& x) { return x.norm(); }
 template <class Value>
 Measurement largest_change(const std::vector<Value>& a, const std::vector<Value>& b, const char* what,
                            double least = 0) {
-  Measurement out{0, what};
+  Measurement out;  // nothing compared is NaN
   if (a.size() != b.size())
     return {std::nan(""), fmt::format("{}: {} points and {}", what, a.size(), b.size())};
   double largest = least;
