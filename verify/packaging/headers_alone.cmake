@@ -5,8 +5,8 @@ file(GLOB_RECURSE headers RELATIVE "${ROOT}" "${ROOT}/halfway/*.hpp")
 list(TRANSFORM EIGEN PREPEND -isystem OUTPUT_VARIABLE eigen)
 set(failures "")
 foreach(header IN LISTS headers)
-  execute_process(COMMAND "${CXX}" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror -Wno-pragma-once-outside-header
-                          "-I${ROOT}" ${eigen} -x c++ "${ROOT}/${header}"
+  execute_process(COMMAND "${CXX}" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror
+                          "-I${ROOT}" ${eigen} -include "${header}" -x c++ /dev/null
                   RESULT_VARIABLE failed ERROR_VARIABLE said)
   if(failed)
     string(APPEND failures "${header}:\n${said}")
