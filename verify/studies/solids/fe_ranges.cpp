@@ -162,7 +162,7 @@ void fe_ranges(Checks& checks) {
   const Range& block = kRanges[0];
   for (const auto& [name, limit] :
        {std::pair{"fe_degrees_1_percent", 0.01}, {"fe_degrees_5_percent", 0.05}}) {
-    add_property(checks, name, {block.kind}, [&block, limit = limit](const Entry& entry, Kind, Draft f) {
+    add_property(checks, name, {block.kind}, [limit = limit](const Entry& entry, Kind, Draft f) {
       return degrees_of(entry, std::move(f), block, limit);
     });
   }
