@@ -120,12 +120,8 @@ Scene scene_of(Document& document, const std::filesystem::path& path) {
   }
   scene.joint = read_joint(joint);
   const Field loads = file.at("load", "at least one table [[load]]");
-  for (const Field& load : loads.items("tables [[load]]")) {
+  for (const Field& load : loads.items("tables [[load]]"))
     scene.loads.push_back(read_load(load, scene.joint.kind));
-    const auto is_force = [](const SceneLoad& l) { return l.type == LoadType::fixed_force; };
-    if (std::count_if(scene.loads.begin(), scene.loads.end(), is_force) < 2) continue;
-    load.at("type", "").refuse("is the second force", "one fixed_force");
-  }
   if (scene.loads.empty()) loads.refuse("is empty", "at least one table [[load]]");
   read_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);

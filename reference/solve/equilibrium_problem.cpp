@@ -7,26 +7,24 @@
 namespace halfway::reference {
 namespace {
 
-/// The scene's loads on the node, those of fixed direction turned with the scene.
+/// A load of the scene on the node; one of fixed direction is turned with the scene.
 template <class T>
-NodeLoad<T> node_load(const Scene& scene, const Mat3<T>& R) {
-  NodeLoad<T> load;
-  for (const SceneLoad& l : scene.loads) {
-    const Vec3<T> value = l.value.cast<T>();
-    switch (l.type) {
-      case LoadType::fixed_moment:
-        load.moment += R * value;
-        break;
-      case LoadType::follower_moment:
-        load.follower_moment += value;
-        break;
-      case LoadType::fixed_force:
-        load.force += R * value;
-        load.point = l.point.cast<T>();
-        break;
-    }
+NodeLoad<T> node_load(const SceneLoad& load, const Mat3<T>& R) {
+  NodeLoad<T> out;
+  const Vec3<T> value = load.value.cast<T>();
+  switch (load.type) {
+    case LoadType::fixed_moment:
+      out.moment = R * value;
+      break;
+    case LoadType::follower_moment:
+      out.follower_moment = value;
+      break;
+    case LoadType::fixed_force:
+      out.force = R * value;
+      out.point = load.point.cast<T>();
+      break;
   }
-  return load;
+  return out;
 }
 
 template <class T>
@@ -62,7 +60,9 @@ EquilibriumProblem<T>::EquilibriumProblem(const Scene& scene, const Entry& entry
   clamped_.x = setting.frame_shift.cast<T>();
   clamped_.R = so3::exp<T>(setting.frame_turn.cast<T>());
   const Mat3<T> frame = clamped_.R * a_.H;
-  load_ = joint_load<T>(spec_.kind, node_load<T>(scene, clamped_.R), frame, b_, exchanged_);
+  load_.on_a = exchanged_;
+  for (const SceneLoad& load : scene.loads)
+    load_ += joint_load<T>(spec_.kind, node_load<T>(load, clamped_.R), frame, b_, exchanged_);
   if (exchanged_) std::swap(a_, b_);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 // Poses travel as quaternions, 17 digits each: some roundings, magnified by laws of a spread of 100 near
 // poles.
-constexpr double kRounding = 1e-11;
+constexpr double kReplayed = 1e-11;
 
 void check_replay(const reference::Entry& entry, const verify::Probe& probe) {
   const std::string request = verify::eval_request(std::string(entry.name), probe.spec, probe.a, probe.b);
@@ -25,7 +25,7 @@ void check_replay(const reference::Entry& entry, const verify::Probe& probe) {
   const auto held = [&](const char* what, const Eigen::MatrixXd& value, const Eigen::MatrixXd& expected) {
     const double error =
         reference::largest_entry<double>(value - expected) / reference::largest_entry<double>(expected);
-    BOOST_TEST(error <= kRounding, what << " off by " << error);
+    BOOST_TEST(error <= kReplayed, what << " off by " << error);
   };
   held("loads", matrix_of(found["loads"]), loads.q);
   held("tangent", matrix_of(found["tangent"]), loads.tangent);

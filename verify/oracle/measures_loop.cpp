@@ -11,7 +11,7 @@ namespace {
 using V50 = Vec3<Real50>;
 using M50 = Mat3<Real50>;
 
-V50 vector(double x, double y, double z) { return {Real50(x), Real50(y), Real50(z)}; }
+V50 triple(double x, double y, double z) { return {Real50(x), Real50(y), Real50(z)}; }
 
 /// A smooth closed curve and its rate, without any symmetry.
 struct Curve {
@@ -34,10 +34,10 @@ LoopWork loop_work(const JointUnderTest& joint, const JointSpec& spec, double am
   LoopWork work{Real50(0), Real50(0)};
   for (int i = 0; i < points; ++i) {
     const Real50 t = Real50(i) * step;
-    const Curve angle = curve(t, size * vector(1, 0.31, -0.47), size * vector(-0.23, 0.9, 0.37),
-                              size * vector(0.11, -0.29, 0.53), size * vector(0.41, 0.17, 0.67));
-    const Curve place = curve(t, size * vector(0.43, -0.8, 0.19), size * vector(0.71, 0.13, -0.61),
-                              size * vector(-0.37, 0.23, 0.07), size * vector(0.05, 0.59, 0.29));
+    const Curve angle = curve(t, size * triple(1, 0.31, -0.47), size * triple(-0.23, 0.9, 0.37),
+                              size * triple(0.11, -0.29, 0.53), size * triple(0.41, 0.17, 0.67));
+    const Curve place = curve(t, size * triple(0.43, -0.8, 0.19), size * triple(0.71, 0.13, -0.61),
+                              size * triple(-0.37, 0.23, 0.07), size * triple(0.05, 0.59, 0.29));
     const V50 spin = P_a * so3::gamma(angle.value) * angle.rate;
     Pose<Real50> b;
     b.R = P_a * so3::exp(angle.value) * H_b_inverse;

@@ -5,7 +5,8 @@
 
 namespace halfway {
 
-/// Load on the loaded node at load factor 1; the solver scales it.
+/// Load on the loaded node at load factor 1; the solver scales it. Forces at several points are several of
+/// these.
 template <class T>
 struct NodeLoad {
   Vec3<T> force = Vec3<T>::Zero();            ///< fixed direction, global axes, N
@@ -17,15 +18,28 @@ struct NodeLoad {
 /// What is unknown of the loaded node: 3 rotations, 3 displacements (the orientation is held), or all 6.
 constexpr int unknown_count(Kind kind) { return strain_count(kind); }
 
-/// The same load, about the joint point of the loaded node.
+/// Such loads, about the joint point of the loaded node. They add up by +=.
 template <class T>
 struct JointLoad {
   bool on_a = false;                          ///< node a is the loaded one, node b is clamped
   Vec3<T> force = Vec3<T>::Zero();            ///< axes of the clamped joint frame
   Vec3<T> moment = Vec3<T>::Zero();           ///< likewise
-  Vec3<T> arm = Vec3<T>::Zero();              ///< from the joint point to the force, axes of the loaded frame
-  Vec3<T> follower_moment = Vec3<T>::Zero();  ///< likewise
-  T reach{0};                                 ///< m: how far node and force are from the joint point
+  Vec3<T> follower_moment = Vec3<T>::Zero();  ///< axes of the loaded frame
+  /// Sum of f r^T, f in axes of the clamped joint frame, r from the joint point to the force in those of the
+  /// loaded one, N m: all that forces at several points need, for their moment changes as the node turns.
+  Mat3<T> virial = Mat3<T>::Zero();
+  T virial_size{0};  ///< sum of |f| |r|
+  T reach{0};        ///< m: how far node and forces are from the joint point
+
+  JointLoad& operator+=(const JointLoad& other) {
+    force += other.force;
+    moment += other.moment;
+    follower_moment += other.follower_moment;
+    virial += other.virial;
+    virial_size += other.virial_size;
+    if (other.reach > reach) reach = other.reach;
+    return *this;
+  }
 };
 
 /// @param clamped_frame  joint frame of the clamped node, to global axes
@@ -39,7 +53,8 @@ JointLoad<T> joint_load(Kind kind, const NodeLoad<T>& load, const Mat3<T>& clamp
   out.follower_moment = loaded.H.transpose() * load.follower_moment;
   // An angular joint carries a couple; its force is carried where the node is held, at its origin.
   const Vec3<T> arm = kind == Kind::angular ? load.point : Vec3<T>(load.point - loaded.o);
-  out.arm = loaded.H.transpose() * arm;
+  out.virial = out.force * (loaded.H.transpose() * arm).transpose();
+  out.virial_size = out.force.norm() * arm.norm();
   out.reach = load.point.norm() + loaded.o.norm();
   return out;
 }
@@ -68,15 +83,17 @@ Applied<T, unknown_count(kind)> applied(const JointLoad<T>& load, const Mat3<T>&
   }
   if constexpr (kind != Kind::linear) {
     const Vec3<T> fixed = turned(load.moment);
-    const Vec3<T> arm = load.on_a ? load.arm : Vec3<T>(R * load.arm);
     const Vec3<T> follower = load.on_a ? load.follower_moment : Vec3<T>(R * load.follower_moment);
-    out.load.template tail<3>() = fixed + follower + arm.cross(f);
+    // V = sum of f r^T, both seen from a: r x f is the axial vector of V - V^T, and [f][r] = V^T - tr V.
+    const Mat3<T> V = load.on_a ? Mat3<T>(R * load.virial) : Mat3<T>(load.virial * R.transpose());
+    const Mat3<T> trace = V.trace() * Mat3<T>::Identity();
+    out.load.template tail<3>() =
+        fixed + follower + Vec3<T>(V(2, 1) - V(1, 2), V(0, 2) - V(2, 0), V(1, 0) - V(0, 1));
     // What turns with the unknown rotation: the fixed directions seen from a, or the loaded frame seen from
     // a.
-    out.tangent.template bottomRightCorner<3, 3>() = load.on_a
-                                                         ? Mat3<T>(-skew(fixed) - skew(arm) * skew(f))
-                                                         : Mat3<T>(skew(f) * skew(arm) - skew(follower));
-    out.size.template tail<3>().setConstant(fixed.norm() + follower.norm() + arm.norm() * f.norm());
+    out.tangent.template bottomRightCorner<3, 3>() =
+        load.on_a ? Mat3<T>(trace - V - skew(fixed)) : Mat3<T>(V.transpose() - trace - skew(follower));
+    out.size.template tail<3>().setConstant(fixed.norm() + follower.norm() + load.virial_size);
   }
   if (load.on_a) {
     out.load = -out.load;

@@ -84,15 +84,15 @@ class ChebyshevTail {
 /// Of doubles as coefficients: half an eps of the leading term and of those that cancel beside it.
 constexpr double kRounded = 3e-16;
 
-struct Worst {
+struct PolynomialErrors {
   Measurement error;
   Extent size;  ///< |f|
 };
 
 template <int count>
-Worst measured(const Function& f, const double (&c)[count]) {
+PolynomialErrors measured(const Function& f, const double (&c)[count]) {
   constexpr int kPoints = 300;
-  Worst worst;
+  PolynomialErrors worst;
   for (int i = 0; i <= kPoints; ++i) {
     // Dense at both ends, as the error's waves are; 1e-6: not 0/0.
     const double share = std::max(1e-6, (1 - std::cos(std::numbers::pi * i / kPoints)) / 2);
@@ -110,7 +110,7 @@ template <int count>
 void add(std::vector<Finding>& out, const Function& f, const ChebyshevTail& tail, const double (&c)[count]) {
   if constexpr (count > 1) {  // the primary template stands for a degree that there is not
     constexpr int degree = count - 1;
-    const Worst worst = measured(f, c);
+    const PolynomialErrors worst = measured(f, c);
     out.push_back(at_most(fmt::format("kernel_polynomials/{}/degree_{}", f.name, degree),
                           "kernel_polynomials", worst.error,
                           tail.beyond(degree) / worst.size.low() + kRounded, "relative", Oracle::closed_form,

@@ -89,10 +89,10 @@ std::vector<Finding> angles() {
 
 // Loads -------------------------------------------------------------------------------------------
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 /// That of the kernels themselves (kernels.cpp), and as much again for matrices rounded twice.
-constexpr double kLimit = 1e-14;
-constexpr double kSingleLimit = kLimit / kEps * std::numeric_limits<float>::epsilon();
+constexpr double kVariantLimit = 1e-14;
+constexpr double kSingleLimit =
+    kVariantLimit * std::numeric_limits<float>::epsilon() / std::numeric_limits<double>::epsilon();
 
 /// The stiffness of a probe, or every other time its compliance: the adapters invert as scenes do.
 std::vector<Probe> mixed_probes(const Entry& entry, Kind kind) {
@@ -131,7 +131,7 @@ std::vector<Finding> by_kernel(const Entry& entry, Kind kind) {
         .at_most(limit, why)
         .by(Oracle::independent);
   };
-  return {compared("with_kernel", false, kLimit,
+  return {compared("with_kernel", false, kVariantLimit,
                    "a dozen roundings of the kernel and of the transcription each, over the largest entry"),
           compared("with_kernel_float", true, kSingleLimit, "the same in eps of float")};
 }
@@ -142,9 +142,9 @@ double variant_limit(const KernelVariant& v) {
   const auto number = [&](std::string_view prefix) {
     return v.name.starts_with(prefix) ? std::stoi(std::string(v.name.substr(prefix.size()))) : 0;
   };
-  if (const int terms = number("order_")) return small_angle_bound(terms) + kLimit;
-  if (const int degree = number("log_")) return ellipse_bound(degree) + kLimit;
-  return kLimit;
+  if (const int terms = number("order_")) return small_angle_bound(terms) + kVariantLimit;
+  if (const int degree = number("log_")) return ellipse_bound(degree) + kVariantLimit;
+  return kVariantLimit;
 }
 
 /// Moments against the transcription's: a linear law scales them by the error of the angle, no more.

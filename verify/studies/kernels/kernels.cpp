@@ -66,7 +66,7 @@ NodeLoads<T> kernel_loads(const reference::KernelEvaluators<T>& kernel, const Ca
 
 /// Where plain differences of products are taken, 4 eps of the relative quaternion are lost whatever the
 /// angle: smaller strains than this count as this. Nothing is lost by compensated ones.
-constexpr double kPlain = 4 * kEps / 5e-15;
+constexpr double kPlainProducts = 4 * kEps / 5e-15;
 
 /// A scalar's poses: rounded to it, and as exact as their quaternions then are.
 template <class T>
@@ -107,7 +107,7 @@ Worst worst(const Entry& entry, Kind kind, const reference::KernelEvaluators<T>&
 }
 
 /// A dozen products in a row, half an eps each in the mean; the target of the kernels.
-constexpr double kLimit = 5e-15;
+constexpr double kKernelLimit = 5e-15;
 
 std::vector<Finding> both(const Entry& entry, Kind kind, const std::string& suffix, const Worst& worst,
                           double limit, const std::string& reason) {
@@ -123,13 +123,13 @@ std::vector<Finding> both(const Entry& entry, Kind kind, const std::string& suff
 }
 
 std::vector<Finding> in_double(const Entry& entry, Kind kind) {
-  return both(entry, kind, "", worst(entry, kind, entry.kernel.in_double, kPlain), kLimit,
+  return both(entry, kind, "", worst(entry, kind, entry.kernel.in_double, kPlainProducts), kKernelLimit,
               "of |K| |strain|, but 4 eps of |K|, what rounding the poses' products leaves of any strain");
 }
 
 std::vector<Finding> in_float(const Entry& entry, Kind kind) {
-  return both(entry, kind, "_float", worst(entry, kind, entry.kernel.in_float, kPlain),
-              kLimit / kEps * std::numeric_limits<float>::epsilon(), "as in double, in eps of float");
+  return both(entry, kind, "_float", worst(entry, kind, entry.kernel.in_float, kPlainProducts),
+              kKernelLimit / kEps * std::numeric_limits<float>::epsilon(), "as in double, in eps of float");
 }
 
 std::vector<Finding> compensated(const Entry& entry) {

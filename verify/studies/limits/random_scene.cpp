@@ -72,12 +72,12 @@ JointEnd<double> end(Generator& random) {
   return out;
 }
 
-SceneLoad load(Generator& random, Kind kind, double stiffness, bool has_force) {
+SceneLoad load(Generator& random, Kind kind, double stiffness) {
   const double type = random.uniform(0, 1);
   const double size = chance(random, 0.05) ? power(random, -150, 150) : power(random, -12, 6);
   SceneLoad out;
   out.value = arrow(random, size * stiffness);
-  if (kind == Kind::linear || (type < 0.4 && !has_force)) {
+  if (kind == Kind::linear || type < 0.4) {
     out.type = LoadType::fixed_force;
     if (chance(random, 0.5)) out.point = arrow(random, power(random, -6, 3));
   } else {
@@ -111,11 +111,7 @@ RandomScene random_scene(Generator& random, const Entry& entry) {
   const double largest = k.maxCoeff(), least = k.minCoeff();
   const double stiffness = least * std::pow(largest / least, random.uniform(0, 1));
   const int loads = joint.kind == Kind::linear ? 1 : 1 + int(random.uniform(0, 3));
-  bool has_force = false;
-  for (int i = 0; i < loads; ++i) {
-    out.scene.loads.push_back(load(random, joint.kind, stiffness, has_force));
-    has_force |= out.scene.loads.back().type == LoadType::fixed_force;
-  }
+  for (int i = 0; i < loads; ++i) out.scene.loads.push_back(load(random, joint.kind, stiffness));
   out.setting = setting(random);
   return out;
 }

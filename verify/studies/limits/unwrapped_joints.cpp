@@ -16,7 +16,6 @@ namespace halfway::verify {
 namespace {
 
 constexpr const char* kSubject = "unwrapped";
-constexpr double kPi = std::numbers::pi;
 
 Mat3<double> turned(double phi) { return so3::exp<double>(phi * Vec3<double>(2, 3, 6) / 7); }
 
@@ -40,7 +39,7 @@ std::vector<Finding> spring() {
   Vec3<double> wrapped_before = Vec3<double>::Zero();
   constexpr int kSteps = 1000;
   for (int i = 1; i <= kSteps; ++i) {
-    const double phi = 10 * kPi * i / kSteps, h = 10 * kPi / kSteps;
+    const double phi = 10 * std::numbers::pi * i / kSteps, h = 10 * std::numbers::pi / kSteps;
     const auto wrapped = relative_motion<double>(turned(phi), Vec3<double>::Zero());
     const auto step = rotation.tried(wrapped.q);
     rotation.commit(step);
@@ -60,9 +59,9 @@ std::vector<Finding> spring() {
               "phi K n over five turns; the axis of R is known to eps/sin(phi/2), 16 steps a quarter turn"),
       at_most("unwrapped/spring/energy", kSubject, energy, 16 * eps, "relative", Oracle::closed_form,
               "work is phi^2 n.Kn/2; the roundings of a thousand additions even out"),
-      expected("unwrapped/spring/wrapped_moment", wrapped_most, kPi, 0.02, "rad",
+      expected("unwrapped/spring/wrapped_moment", wrapped_most, std::numbers::pi, 0.02, "rad",
                "without unwrapping no moment is beyond pi K n; the nearest step is 0 to 0.016 rad before"),
-      expected("unwrapped/spring/wrapped_jump", jump, 2 * kPi, 0.04, "rad",
+      expected("unwrapped/spring/wrapped_jump", jump, 2 * std::numbers::pi, 0.04, "rad",
                "without unwrapping the moment jumps by 2 pi K n; less the step")};
 }
 

@@ -54,17 +54,31 @@ std::vector<Finding> follower_moment() {
           against("follower_moment", s, "attached_b", "theta_z", 0.6, reason)};
 }
 
-/// A force at the end of an arm: k theta = F L cos(theta), here solved by bisection.
-std::vector<Finding> force_on_arm() {
-  constexpr double k = 2, moment = 3;  // F L
+/// k theta = moment cos(theta), by bisection: a force at the end of an arm.
+double turned_by_arm(double k, double moment) {
   double low = 0, high = 1.5;
   for (int i = 0; i < 200; ++i) {
     const double middle = (low + high) / 2;
     (k * middle < moment * std::cos(middle) ? low : high) = middle;
   }
+  return low;
+}
+
+std::vector<Finding> force_on_arm() {
   const Scene s =
-      posed(Kind::angular, Eigen::Vector3d(k, k, k), {LoadType::fixed_force, {0, 1.5, 0}, {2, 0, 0}});
-  return {against("force_on_arm", s, "invariant", "theta_z", low, "k theta = F L cos(theta)")};
+      posed(Kind::angular, Eigen::Vector3d(2, 2, 2), {LoadType::fixed_force, {0, 1.5, 0}, {2, 0, 0}});
+  return {
+      against("force_on_arm", s, "invariant", "theta_z", turned_by_arm(2, 3), "k theta = F L cos(theta)")};
+}
+
+/// A dead load at the node and a push at a point above it. Through an isotropic stiffness a force has no
+/// moment of its own, so the push alone turns the node.
+std::vector<Finding> two_forces() {
+  Scene s = posed(Kind::linear_angular, (Eigen::VectorXd(6) << 1e6, 1e6, 1e6, 200, 200, 200).finished(),
+                  {LoadType::fixed_force, {0, 0, -300}});
+  s.loads.push_back({LoadType::fixed_force, {100, 0, 0}, {0, 0, 0.5}});
+  return {against("two_forces", s, "invariant", "theta_y", turned_by_arm(200, 50),
+                  "k theta = F L cos(theta), whatever the other force")};
 }
 
 /// A linear joint whose node keeps its orientation: three displacements.
@@ -98,6 +112,7 @@ std::vector<Finding> beyond_the_limit() {
 void equilibria(Checks& checks) {
   checks.push_back({"equilibria/follower_moment", "cases", follower_moment});
   checks.push_back({"equilibria/force_on_arm", "cases", force_on_arm});
+  checks.push_back({"equilibria/two_forces", "cases", two_forces});
   checks.push_back({"equilibria/held_orientation", "cases", held_orientation});
   checks.push_back({"equilibria/beyond_the_limit", "cases", beyond_the_limit});
 }

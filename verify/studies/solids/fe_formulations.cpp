@@ -15,7 +15,6 @@ namespace fe = reference::fe;
 using reference::CouplingGroup;
 
 /// The law whose truth the formulations are held against: what the paper's program documents.
-constexpr fe::Law kLaw = fe::Law::cauchy_log;
 constexpr const char* kBodies[] = {"block", "frustum_top", "bearing_plane_cone"};
 
 /// The mesh `before` places before the finest one of the default element.
@@ -32,14 +31,14 @@ reference::JointSpec joint_of(const Entry& entry, const fe::SecondOrder& truth, 
   reference::JointSpec spec;
   spec.kind = Kind::linear_angular;
   spec.law = reference::LinearSpec{without_rounding(truth.compliance), true};
-  spec.xi = entry.needs_xi ? best_xi(truth.couplings[std::size_t(kLaw)], truth.compliance, group).xi
+  spec.xi = entry.needs_xi ? best_xi(truth.couplings[std::size_t(kPaperLaw)], truth.compliance, group).xi
                            : entry.probe_xi;
   return spec;
 }
 
 double error_of(const Entry& entry, const fe::SecondOrder& truth, CouplingGroup group) {
-  return coupling_error(couplings(entry, joint_of(entry, truth, group)), truth.couplings[std::size_t(kLaw)],
-                        truth.compliance, group);
+  return coupling_error(couplings(entry, joint_of(entry, truth, group)),
+                        truth.couplings[std::size_t(kPaperLaw)], truth.compliance, group);
 }
 
 /// What the solver's rounding leaves of a coupling, relative.
@@ -53,7 +52,7 @@ Finding of_formulation(const Entry& entry, Draft f, const char* body, CouplingGr
   const double error = error_of(entry, finest(body), group);
   const double moved = std::abs(error - error_of(entry, finest(body, 1), group));
   const std::string xi = entry.needs_xi ? fmt::format(", xi = {:.4f}", spec.xi) : "";
-  return f.measured(error, fmt::format("{}, {}{}", body, to_string(kLaw), xi))
+  return f.measured(error, fmt::format("{}, {}{}", body, to_string(kPaperLaw), xi))
       .in("relative")
       .reported(
           "second-order couplings against the 3D body's, compliance the same: reported, not judged; known to "

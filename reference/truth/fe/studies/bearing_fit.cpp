@@ -15,7 +15,6 @@
 namespace halfway::reference::fe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kStep = 1e-5;  ///< of forward differences: far above the rounding of a solution, far below 1
 constexpr double kTolerance = 1e-6;  ///< on parameters and gradient: far below what a mesh is good for
 constexpr int kMostIterations = 40;
@@ -31,8 +30,8 @@ using Parameters = std::vector<double>;
 Parameters parameters(const Bearing& b, bool width) {
   const double edge = b.hole_edge(b.inner);
   Parameters p = {std::log(b.inner), std::log(b.outer - b.inner),
-                  logit((b.rim(b.inner) - edge) / (kPi - edge))};
-  if (width) p.push_back(logit(edge / (kPi / 2)));
+                  logit((b.rim(b.inner) - edge) / (std::numbers::pi - edge))};
+  if (width) p.push_back(logit(edge / (std::numbers::pi / 2)));
   return p;
 }
 
@@ -41,11 +40,11 @@ Bearing bearing(const Parameters& p, const Bearing& like) {
   b.inner = std::exp(p[0]);
   b.outer = b.inner + std::exp(p[1]);
   if (p.size() > 3) {
-    const double edge = kPi / 2 * part(p[3]);
+    const double edge = std::numbers::pi / 2 * part(p[3]);
     b.width = b.hole == Hole::cone ? edge : b.inner * std::sin(edge);
   }
   const double edge = b.hole_edge(b.inner);
-  const double rim = edge + (kPi - edge) * part(p[2]);
+  const double rim = edge + (std::numbers::pi - edge) * part(p[2]);
   b.extent = b.cut == Cut::cone ? rim : b.outer - b.inner * std::cos(rim);
   return b;
 }

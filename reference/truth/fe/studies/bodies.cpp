@@ -6,7 +6,8 @@
 namespace halfway::reference::fe {
 namespace {
 
-constexpr double kGrading = 3;  ///< resolves the edge singularity (exponent 0.711) at the element's own order
+constexpr double kEdgeGrading =
+    3;  ///< resolves the edge singularity (exponent 0.711) at the element's own order
 
 /// Divisions in proportion to the level: `along` and `across` the shortest edge (axis 3).
 Body block(const std::string& name, const std::string& title, const TaperedBlock& size, double along,
@@ -16,12 +17,12 @@ Body block(const std::string& name, const std::string& title, const TaperedBlock
   body.title = title;
   body.geometry = {{"family", "tapered_block"}, {"length", size.length}, {"clamped", size.clamped},
                    {"free", size.free},         {"along", along},        {"across", across},
-                   {"grading", kGrading}};
+                   {"grading", kEdgeGrading}};
   body.material = {1, 0.3};
   body.face = {size.length, 0, 0};
   body.mesh = [=](ElementKind element, int level) {
     const auto divisions = [&](double ratio) { return std::max(2, int(std::lround(ratio * level))); };
-    return tapered_block(element, size, {divisions(along), divisions(across), level}, kGrading);
+    return tapered_block(element, size, {divisions(along), divisions(across), level}, kEdgeGrading);
   };
   return body;
 }

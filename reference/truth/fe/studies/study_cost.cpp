@@ -11,7 +11,6 @@
 namespace halfway::reference::fe {
 namespace {
 
-constexpr const char* kScene = "c2_parallelepiped_small";
 const std::vector<int> kNewtonLevels = {4, 6, 9, 12, 13};
 const std::vector<int> kCalculixLevels = {3, 4, 5, 6};
 constexpr double kCalculixFactor = 0.02;  ///< of the paper's moment: the second order alone is left
@@ -31,7 +30,8 @@ nlohmann::json newton(int level) {
   const auto begin = std::chrono::steady_clock::now();
   const Body& body = body_named("block");
   const Solid solid(body.mesh(ElementKind::hex20, level), body.material, body.face);
-  const Equilibrium e = Statics(solid).solve(Law::hencky, scene_load(kScene), solid.unloaded());
+  const Equilibrium e =
+      Statics(solid).solve(Law::hencky, scene_load("c2_parallelepiped_small"), solid.unloaded());
   if (!e.converged) throw std::runtime_error(e.reason);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return {{"body", "block"},
