@@ -11,18 +11,12 @@ namespace {
 using namespace reference;
 using nlohmann::json;
 
-constexpr int kLoads = 31;
-constexpr int kStarts = 41;
-constexpr int kRuns = 7;
-constexpr double kMoment = 1000;  // N m: beyond the critical moment of most laws of the block
-constexpr int kEndFactor = 64;    // more than kMostBasinIterations
+constexpr int kEndFactor = 64;  // more than kMostBasinIterations
 static_assert(kMostBasinIterations < kEndFactor);
-/// Of the measured orders: small enough for every tangent to converge, rad.
-const Vec3<double> kResponse{0.06, 0.05, 0.062}, kStart{0.01, -0.015, 0.008};
 
-json grids_record(const std::vector<LoadGrid>& grids) {
+json grids_record() {
   json out = json::array();
-  for (const LoadGrid& g : grids) {
+  for (const LoadGrid& g : load_grids()) {
     out.push_back({{"name", g.name},
                    {"axes", {g.axes[0] + 1, g.axes[1] + 1}},
                    {"unit", g.is_response ? "rad" : "N m"},
@@ -43,13 +37,12 @@ json map_record(const LoadMap& map) {
   return {{"share", map.share}, {"safe_step", map.safe_step}, {"wrapped", wrapped}, {"cells", cells}};
 }
 
-json maps_record(const std::vector<LoadGrid>& grids) {
+json maps_record() {
   json out = json::array();
-  for (const LoadGrid& grid : grids) {
+  for (const LoadGrid& grid : load_grids()) {
     for (const Entry& entry : formulations()) {
-      const BasinMaps maps(grid, entry);
       for (NewtonTangent tangent : kNewtonTangents) {
-        json record = map_record(maps.map(tangent));
+        json record = map_record(load_map(entry, grid, tangent));
         record["grid"] = grid.name;
         record["formulation"] = entry.name;
         record["tangent"] = to_string(tangent);
@@ -61,19 +54,19 @@ json maps_record(const std::vector<LoadGrid>& grids) {
 }
 
 json start_record(const Entry& entry) {
-  const StartMap map = start_map(entry, NewtonTangent::analytic, kMoment, kStarts);
+  const StartMap& map = start_map(entry);
   json equilibria = json::array();
   for (const auto& e : map.equilibria)
     equilibria.push_back({{"theta", {e.theta[0], e.theta[1], e.theta[2]}}, {"cells", e.cells}});
-  return {{"formulation", entry.name},    {"moment", kMoment},        {"resolution", map.resolution},
+  return {{"formulation", entry.name},    {"moment", kStartMoment},   {"resolution", map.resolution},
           {"has_branch", map.has_branch}, {"equilibria", equilibria}, {"cells", map.cells}};
 }
 
 json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
 
-json order_record(const Scene& block, const Entry& entry, NewtonTangent tangent) {
-  const NewtonOrder o = newton_order(block, entry, tangent, 1, kStart);
-  const double order = tangent == NewtonTangent::analytic ? pooled_order(block, entry, 1, kRuns) : o.order;
+json order_record(const Entry& entry, NewtonTangent tangent) {
+  const NewtonOrder& o = block_order(entry, tangent);
+  const double order = tangent == NewtonTangent::analytic ? pooled_order(entry) : o.order;
   return {{"formulation", entry.name},  {"tangent", to_string(tangent)},    {"order", number(order)},
           {"factor", number(o.factor)}, {"predicted", number(o.predicted)}, {"iterations", o.iterations}};
 }
@@ -81,20 +74,18 @@ json order_record(const Scene& block, const Entry& entry, NewtonTangent tangent)
 }  // namespace
 
 json stability_basins_record() {
-  const std::vector<LoadGrid> grids = load_grids(kLoads);
   json tangents = json::array(), starts = json::array(), orders = json::array();
   for (NewtonTangent tangent : kNewtonTangents) tangents.push_back(to_string(tangent));
-  const Scene block = block_scene(kResponse);
   for (const Entry& entry : formulations()) {
     starts.push_back(start_record(entry));
-    for (NewtonTangent tangent : kNewtonTangents) orders.push_back(order_record(block, entry, tangent));
+    for (NewtonTangent tangent : kNewtonTangents) orders.push_back(order_record(entry, tangent));
   }
   return {
       {"ends", {"continuous branch", "other equilibrium", "not converged", "singular tangent", "not finite"}},
-      {"grids", grids_record(grids)},
+      {"grids", grids_record()},
       {"tangents", tangents},
       {"most_iterations", kMostBasinIterations},
-      {"maps", maps_record(grids)},
+      {"maps", maps_record()},
       {"starts", starts},
       {"orders", orders}};
 }

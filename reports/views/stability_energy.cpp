@@ -1,8 +1,7 @@
 #include "reports/views/stability_energy.hpp"
 
 #include "reference/record/worst.hpp"
-#include "reference/solve/dynamics/drift.hpp"
-#include "verify/oracle/measures.hpp"
+#include "verify/studies/motion/energy.hpp"
 
 #include <fmt/format.h>
 
@@ -17,9 +16,6 @@ namespace {
 using nlohmann::json;
 using reference::Entry;
 namespace d = reference::dynamics;
-
-using MakeScenario = d::Scenario (*)(const Entry&);
-constexpr MakeScenario kScenarios[] = {&d::clamped_scenario, &d::free_scenario};
 
 json scenario_row(const d::Scenario& scenario, const Entry& entry) {
   const auto modes = frequencies(entry, scenario);
@@ -50,8 +46,9 @@ json envelope(const d::Drift& run) {
   return out;
 }
 
-json run_row(const Entry& entry, const d::Scenario& scenario) {
-  const d::Drift run = measure_drift(entry, scenario, {});
+json run_row(const Entry& entry, Kind kind) {
+  const d::Scenario scenario = verify::motion_scenario(entry, kind);
+  const d::Drift& run = verify::long_motion(entry, kind);
   const bool clamped = scenario.bodies[0].clamped || scenario.bodies[1].clamped;
   const auto momentum = [&](double drift) { return clamped ? json(nullptr) : json(drift); };
   return {{"formulation", entry.name},
@@ -68,35 +65,14 @@ json run_row(const Entry& entry, const d::Scenario& scenario) {
           {"samples", envelope(run)}};
 }
 
-/// The loads of doubles on a loop of 50 digits: a chart needs no more, and they cost a tenth.
-verify::JointUnderTest in_double(const Entry& entry) {
-  verify::JointUnderTest out;
-  out.loads = [&entry](const auto& spec, const auto& a, const auto& b, bool with_tangent) {
-    NodeLoads<verify::Real50> loads;
-    loads.q =
-        node_loads<double>(entry, spec, reference::cast<double>(a), reference::cast<double>(b), with_tangent)
-            .q.template cast<verify::Real50>();
-    return loads;
-  };
-  return out;
-}
-
 json loop_row(const Entry& entry, Kind kind) {
-  const auto joint = in_double(entry);
-  const auto spec = verify::probes(entry, kind, 1, 0.8).front().spec;
   json points = json::array();
-  double smallest = 0, next = 0;
-  for (double amplitude = 0.0125; amplitude < 1; amplitude *= 2) {
-    const int count = amplitude < 0.2 ? 40 : 100;  // rounding is left, but at the widest loops
-    const auto work = verify::loop_work(joint, spec, amplitude, count);
-    points.push_back({{"amplitude", amplitude}, {"relative", rounded(work.relative())}});
-    if (points.size() == 1) smallest = double(work.net);
-    if (points.size() == 2) next = double(work.net);
-  }
+  for (const verify::WideLoop& loop : verify::wide_loops(entry, kind))
+    points.push_back({{"amplitude", loop.amplitude}, {"relative", rounded(loop.relative)}});
   const bool leaks = !entry.facts.loop_work.of(kind).holds();
   return {{"formulation", entry.name},
           {"kind", to_string(kind)},
-          {"slope", leaks ? json(std::log2(std::abs(next / smallest))) : json(nullptr)},
+          {"slope", leaks ? json(verify::small_loops(entry, kind).order()) : json(nullptr)},
           {"points", points}};
 }
 
@@ -109,9 +85,10 @@ json stability_energy_record() {
                {{"order", settings.order == d::Order::two ? 2 : 4},
                 {"steps_per_fastest", settings.steps_per_fastest},
                 {"periods", settings.periods}}}};
-  for (const MakeScenario make : kScenarios) {
-    out["scenarios"].push_back(scenario_row(make(entries.front()), entries.front()));
-    for (const Entry& entry : entries) out["runs"].push_back(run_row(entry, make(entry)));
+  for (const Kind kind : {Kind::angular, Kind::linear_angular}) {
+    const Entry& first = entries.front();
+    out["scenarios"].push_back(scenario_row(verify::motion_scenario(first, kind), first));
+    for (const Entry& entry : entries) out["runs"].push_back(run_row(entry, kind));
   }
   for (const Entry& entry : entries) {
     for (const Kind kind : verify::kKinds) out["loops"].push_back(loop_row(entry, kind));

@@ -5,7 +5,7 @@
 
 namespace halfway::reports {
 
-/// Computed when asked, in about fifteen seconds:
+/// Of the studies that the findings are of:
 ///   scenarios  [{name, title, kind, period (s, of the slowest mode), frequencies (rad/s, ascending)}]
 ///   integrator {order, steps_per_fastest, periods}
 ///   runs       [{formulation, scenario, potential, balanced (facts: the moments do), periods reached, steps,

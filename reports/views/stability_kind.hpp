@@ -5,7 +5,7 @@
 
 namespace halfway::reports {
 
-/// Computed when asked, in about four seconds:
+/// Computed when asked, once for findings and series:
 ///   scene     whose law it is
 ///   moments   [{name, what}], in the order of the chart
 ///   bodies    [{name, principal (kg m^2)}]: flutter depends on the body, divergence does not

@@ -1,9 +1,7 @@
 #include "reports/views/stability_paths.hpp"
 
-#include "reference/solve/paths/branches.hpp"
-#include "reference/solve/paths/continuation_load_steps.hpp"
 #include "reference/solve/solve.hpp"
-#include "verify/oracle/scene_access.hpp"
+#include "verify/studies/paths/block_paths.hpp"
 
 #include <array>
 
@@ -12,9 +10,9 @@ namespace {
 
 using nlohmann::json;
 using reference::Continuation;
+using reference::Entry;
 using reference::EquilibriumPath;
 
-constexpr const char* kScene = "c3_buckling";
 constexpr std::array<int, 6> kSteps = {6,  10, 15,
                                        18, 36, 180};  // of the load: few enough to jump, and enough
 
@@ -42,24 +40,23 @@ json events(const EquilibriumPath& path) {
   return out;
 }
 
-json curve(const reference::Choice& choice, const char* load, const Continuation& continuation,
-           const reference::Branch& branch) {
-  return {{"formulation", choice.entry->name},
-          {"xi", choice.xi},
+json curve(const Entry& entry, const char* load, const Continuation& continuation, const std::string& branch,
+           const EquilibriumPath& path) {
+  return {{"formulation", entry.name},
+          {"xi", entry.probe_xi},
           {"load", load},
-          {"branch", branch.name},
-          {"points", points(continuation, branch.path)},
-          {"events", events(branch.path)},
-          {"outcome", branch.path.outcome},
-          {"shortened", branch.path.rejected},
-          {"iterations", branch.path.iterations}};
+          {"branch", branch},
+          {"points", points(continuation, path)},
+          {"events", events(path)},
+          {"outcome", path.outcome},
+          {"shortened", path.rejected},
+          {"iterations", path.iterations}};
 }
 
-json step_row(const reference::Choice& choice, const char* solver, const Continuation& continuation,
-              const EquilibriumPath& path, int count, const reference::LoadSteps& steps) {
-  const reference::OffPath off = off_path(continuation, path, steps);
-  return {{"formulation", choice.entry->name},
-          {"xi", choice.xi},
+json step_row(const Entry& entry, const char* solver, int count, const reference::LoadSteps& steps,
+              const reference::OffPath& off) {
+  return {{"formulation", entry.name},
+          {"xi", entry.probe_xi},
           {"solver", solver},
           {"steps", count},
           {"converged", steps.converged},
@@ -71,38 +68,29 @@ json step_row(const reference::Choice& choice, const char* solver, const Continu
 }
 
 /// All that is shown of one formulation.
-void add_formulation(json& out, const reference::Scene& skewed, const reference::Scene& straight,
-                     const reference::Choice& choice) {
-  reference::ContinuationOptions options;
-  options.end_factor = skewed.factor_end;
-  const Continuation continuation(skewed, *choice.entry, choice.xi, options);
-  const EquilibriumPath path = continuation.from_rest();
-  out["curves"].push_back(curve(choice, "skewed", continuation, {"primary", path}));
-  const double end = skewed.factor_end;
+void add_formulation(json& out, const Entry& entry) {
+  const auto& [continuation, path] = verify::skewed_path(entry);
+  out["curves"].push_back(curve(entry, "skewed", continuation, "primary", path));
   for (int n : kSteps) {
-    const auto& problem = continuation.problem();
-    out["steps"].push_back(
-        step_row(choice, "Newton", continuation, path, n, newton_load_steps(problem, end, n)));
-    out["steps"].push_back(step_row(choice, "GSL", continuation, path, n, gsl_load_steps(problem, end, n)));
+    const verify::BlockSteps& steps = verify::load_steps(entry, n);
+    out["steps"].push_back(step_row(entry, "Newton", n, steps.newton, steps.newton_off));
+    out["steps"].push_back(step_row(entry, "GSL", n, steps.gsl, steps.gsl_off));
   }
-  const Continuation on_axis(straight, *choice.entry, choice.xi, options);
-  for (const reference::Branch& branch : branches(on_axis))
-    out["curves"].push_back(curve(choice, "straight", on_axis, branch));
+  const auto& [on_axis, branches] = verify::straight_branches(entry);
+  for (const auto& branch : branches)
+    out["curves"].push_back(curve(entry, "straight", on_axis, branch.name, branch.path));
 }
 
 }  // namespace
 
 json stability_paths_record() {
-  const reference::Scene& skewed = verify::scene(kScene);
-  const reference::Scene straight = reference::without_skew(skewed, skewed.critical_axis - 1);
   json out = {
-      {"scene", kScene},
+      {"scene", verify::kBlockPathScene},
       {"columns", {"factor", "theta_x", "theta_y", "theta_z", "phi", "sign", "negative", "eigenvalue"}},
       {"curves", json::array()},
       {"steps", json::array()}};
-  for (const reference::Entry& entry : reference::formulations()) {
-    if (reference::accepts_law(entry, skewed.joint))
-      add_formulation(out, skewed, straight, {&entry, entry.probe_xi});
+  for (const Entry& entry : reference::formulations()) {
+    if (reference::accepts_law(entry, verify::straight_block().joint)) add_formulation(out, entry);
   }
   return out;
 }

@@ -16,10 +16,11 @@ namespace {
 using nlohmann::json;
 using reference::Crossing, reference::ErrorRow, reference::ErrorRows, reference::Gimbal,
     reference::LargeRotation, reference::ProjectionCost, reference::TurnCurve, reference::TurnPoint,
-    reference::axis_name, reference::errors_at_bad_stiffness, reference::errors_over_distance,
-    reference::errors_over_drift, reference::errors_over_phi, reference::errors_over_ratio,
-    reference::gimbal_locks, reference::kTurnAxes, reference::kTurnStiffness, reference::large_rotation,
-    reference::projection_cost, reference::scene_refusal, reference::turn_curve, reference::unwrapped_curves;
+    reference::axis_name, reference::errors, reference::errors_at_bad_stiffness,
+    reference::errors_over_distance, reference::errors_over_drift, reference::errors_over_phi,
+    reference::errors_over_ratio, reference::gimbal_locks, reference::kTurnAxes, reference::kTurnStiffness,
+    reference::large_rotation, reference::projection_cost, reference::scene_refusal, reference::turn_curve,
+    reference::unwrapped_curves;
 using reference::Entry;
 
 /// To `digits` significant ones; null where it is not finite.
@@ -96,7 +97,7 @@ json conditioning(const Entry& entry) {
   json out = json::array();
   for (const auto measure : {errors_over_phi, errors_over_ratio, errors_at_bad_stiffness, errors_over_drift,
                              errors_over_distance}) {
-    add_series(out, sorted(measure(entry)));
+    add_series(out, sorted(errors(entry, measure)));
   }
   return out;
 }

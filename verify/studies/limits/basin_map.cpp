@@ -2,11 +2,14 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/solve/path.hpp"
+#include "verify/effort.hpp"
+#include "verify/once.hpp"
 #include "verify/studies/limits/newton_order.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace halfway::reference {
 namespace {
@@ -29,14 +32,25 @@ BasinEnd failure(NewtonEnd end) {
   }
 }
 
-}  // namespace
+/// The block's response to a grid, for one formulation.
+class BasinMaps {
+ public:
+  BasinMaps(const LoadGrid& grid, const Entry& entry);
+  LoadMap map(NewtonTangent tangent) const;
 
-double LoadGrid::angle(int i) const { return std::numbers::pi / 2 * i / (angles - 1); }
+ private:
+  using State = std::optional<Mat3<double>>;
+  Vec3<double> moment(double angle, double magnitude) const;
+  Scene loaded(double angle, double magnitude) const;
+  BasinCell cell(double angle, double magnitude, const State& branch, NewtonTangent tangent) const;
+  bool is_safe(double angle, double magnitude, NewtonTangent tangent) const;
+  double safe_step(const std::vector<BasinCell>& cells, NewtonTangent tangent) const;
 
-std::vector<LoadGrid> load_grids(int resolution) {
-  return {{"axes_13", {0, 2}, false, 1800, resolution, resolution},
-          {"axes_12", {0, 1}, true, 3, resolution, resolution}};
-}
+  LoadGrid grid_;
+  const Entry& entry_;
+  Scene block_;
+  std::vector<State> branches_;
+};
 
 BasinMaps::BasinMaps(const LoadGrid& grid, const Entry& entry)
     : grid_(grid), entry_(entry), block_(block_scene(Vec3<double>::Zero())) {
@@ -51,8 +65,6 @@ BasinMaps::BasinMaps(const LoadGrid& grid, const Entry& entry)
     }
   }
 }
-
-int BasinMaps::unreached() const { return int(std::ranges::count(branches_, State())); }
 
 Vec3<double> BasinMaps::moment(double angle, double magnitude) const {
   Vec3<double> m = Vec3<double>::Zero();
@@ -128,7 +140,7 @@ LoadMap BasinMaps::map(NewtonTangent tangent) const {
   return out;
 }
 
-StartMap start_map(const Entry& entry, NewtonTangent tangent, double moment, int resolution) {
+StartMap starts(const Entry& entry, int resolution) {
   Scene scene = read_scene(scenes_folder() / "c3_buckling.toml");
   const EquilibriumProblem<double> problem(scene, entry, entry.probe_xi);
   StartMap out;
@@ -142,7 +154,7 @@ StartMap start_map(const Entry& entry, NewtonTangent tangent, double moment, int
   };
   Path<double> path(scene, entry, entry.probe_xi);
   for (int k = 1; k <= scene.points && path.state().status == Status::converged; ++k)
-    path.advance(moment * k / scene.points);
+    path.advance(kStartMoment * k / scene.points);
   out.has_branch = path.state().status == Status::converged;
   if (out.has_branch) index_of(path.state().joint);
   const auto component = [&](int i) { return std::numbers::pi * (2.0 * i / (resolution - 1) - 1); };
@@ -150,13 +162,37 @@ StartMap start_map(const Entry& entry, NewtonTangent tangent, double moment, int
     for (int j = 0; j < resolution; ++j) {
       Pose<double> start = problem.start();
       start.R = so3::exp<double>({component(i), component(j), 0}) * start.R;
-      const auto run = plain_newton(problem, tangent, start, moment, kMostBasinIterations);
+      const auto run =
+          plain_newton(problem, NewtonTangent::analytic, start, kStartMoment, kMostBasinIterations);
       const int index = run.end == NewtonEnd::converged ? index_of(run.poses.back()) : -1;
       if (index >= 0) ++out.equilibria[std::size_t(index)].cells;
       out.cells.push_back(index);
     }
   }
   return out;
+}
+
+}  // namespace
+
+double LoadGrid::angle(int i) const { return std::numbers::pi / 2 * i / (angles - 1); }
+
+const std::vector<LoadGrid>& load_grids() {
+  static const int resolution = verify::by_effort(31, 7);
+  static const std::vector<LoadGrid> grids = {{"axes_13", {0, 2}, false, 1800, resolution, resolution},
+                                              {"axes_12", {0, 1}, true, 3, resolution, resolution}};
+  return grids;
+}
+
+const LoadMap& load_map(const Entry& entry, const LoadGrid& grid, NewtonTangent tangent) {
+  static verify::Once<BasinMaps, std::string> maps;
+  static verify::Once<LoadMap, std::string, NewtonTangent> known;
+  return known(entry, grid.name, tangent,
+               [&] { return maps(entry, grid.name, [&] { return BasinMaps(grid, entry); }).map(tangent); });
+}
+
+const StartMap& start_map(const Entry& entry) {
+  static verify::Once<StartMap> known;
+  return known(entry, [&] { return starts(entry, verify::by_effort(41, 9)); });
 }
 
 }  // namespace halfway::reference

@@ -3,6 +3,7 @@
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
 #include "reference/record/worst.hpp"
+#include "verify/once.hpp"
 
 #include <fmt/format.h>
 
@@ -105,6 +106,11 @@ ErrorRows errors_over_phi(const Entry& entry) {
   add_kernel<double>(rows, entry, "phi/compensated", entry.kernel.compensated, -16);
   add_kernel<float>(rows, entry, "phi/float", entry.kernel.in_float, -8);
   return rows;
+}
+
+const ErrorRows& errors(const Entry& entry, ErrorRows (*measure)(const Entry&)) {
+  static verify::Once<ErrorRows, ErrorRows (*)(const Entry&)> known;
+  return known(entry, measure, [&] { return measure(entry); });
 }
 
 }  // namespace halfway::reference

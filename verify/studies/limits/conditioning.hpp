@@ -54,4 +54,7 @@ ProjectionCost projection_cost();
 /// |K| |strain|, moments over that with the arm; the worst of some poses of random orientation.
 ErrorRows errors_over_distance(const Entry& entry);
 
+/// One of the five above, measured once in a process.
+const ErrorRows& errors(const Entry& entry, ErrorRows (*measure)(const Entry&));
+
 }  // namespace halfway::reference

@@ -13,7 +13,7 @@
 namespace halfway::verify {
 namespace {
 
-using reference::ErrorRow, reference::ErrorRows, reference::errors_at_bad_stiffness,
+using reference::ErrorRow, reference::ErrorRows, reference::errors, reference::errors_at_bad_stiffness,
     reference::errors_over_distance, reference::errors_over_drift, reference::errors_over_phi,
     reference::errors_over_ratio, reference::scene_refusal;
 
@@ -50,7 +50,7 @@ ErrorRows up_to_one(ErrorRows rows) {  // beyond, poles and folds of the measure
 }
 
 std::vector<Finding> over_phi(const Entry& entry) {
-  const ErrorRows rows = up_to_one(errors_over_phi(entry));
+  const ErrorRows rows = up_to_one(errors(entry, errors_over_phi));
   const Scale plain = [](double phi) { return 1 / std::min(phi, 1.); };
   const Scale none = [](double) { return 1.; };
   const std::string lost = "products of poses leave a few eps of the relative rotation: eps/phi of the loads";
@@ -75,7 +75,7 @@ constexpr const char* kUnfinishedReason =
     "rounding";
 
 std::vector<Finding> over_ratio(const Entry& entry) {
-  const ErrorRows rows = errors_over_ratio(entry);
+  const ErrorRows& rows = errors(entry, errors_over_ratio);
   const Scale none = [](double) { return 1.; };
   const Scale ratio = [](double r) { return r; };
   std::vector<Finding> out;
@@ -110,7 +110,7 @@ std::vector<Finding> over_ratio(const Entry& entry) {
 
 std::vector<Finding> at_bad_stiffness(const Entry& entry) {
   return {held(
-      entry, errors_at_bad_stiffness(entry), "singular/loads", "singular_loads", kEps,
+      entry, errors(entry, errors_at_bad_stiffness), "singular/loads", "singular_loads", kEps,
       [](double) { return 1.; }, 4, "loads need no inverse: singular and indefinite laws evaluate")};
 }
 
@@ -132,7 +132,7 @@ Finding slope(const Entry& entry, const ErrorRows& rows, const std::string& seri
 }
 
 std::vector<Finding> over_drift(const Entry& entry) {
-  const ErrorRows rows = errors_over_drift(entry);
+  const ErrorRows& rows = errors(entry, errors_over_drift);
   std::vector<Finding> out;
   for (const std::string kind : {"angular", "linear_angular"}) {
     out.push_back(slope(entry, rows, "drift/" + kind, 1, "loads are smooth in the entries of R"));
@@ -144,7 +144,7 @@ std::vector<Finding> over_drift(const Entry& entry) {
 }
 
 std::vector<Finding> over_distance(const Entry& entry) {
-  const ErrorRows rows = errors_over_distance(entry);
+  const ErrorRows& rows = errors(entry, errors_over_distance);
   // Node and joint points' coordinates, over a strain of 0.1 m.
   const Scale from_origin = [](double length) { return 1 + (length + 2 * 0.3) / 0.1; };
   const Scale from_nodes = [](double length) { return 1 + (0.2 + 2 * length) / 0.1; };

@@ -130,7 +130,7 @@ void add_middle_axis(std::vector<Finding>& out, const Entry& entry) {
   const Known* k = known(entry);
   if (k == nullptr || k->sequence.empty()) return;
   const int middle = k->sequence[1] - '0';
-  const Crossing c = crossing(entry, turn_axis(middle), "pi/2", pi50() / Real50(2));
+  const Crossing& c = large_rotation(entry, middle).across("pi/2");
   if (k->measure == Measure::euler_conjugate) {
     Draft f = named(entry, "pole_at_middle_axis", c.order, c.behaviour).in("order");
     expect(f, 1, 1e-6, "the axes of the outer turns meet as cos: the moment grows as 1/distance");
@@ -167,9 +167,9 @@ void add_outer_angle(std::vector<Finding>& out, const Entry& entry) {
 std::vector<Finding> turns(const Entry& entry) {
   std::vector<Finding> out;
   for (const int axis : kTurnAxes) {
-    const Vec3<Real50> n = turn_axis(axis);
-    out.push_back(at_pi(entry, crossing(entry, n, "pi", pi50()), axis));
-    out.push_back(at_full_turn(entry, crossing(entry, n, "2 pi", pi50() + pi50()), axis));
+    const auto& turned = large_rotation(entry, axis);
+    out.push_back(at_pi(entry, turned.across("pi"), axis));
+    out.push_back(at_full_turn(entry, turned.across("2 pi"), axis));
   }
   add_middle_axis(out, entry);
   add_outer_angle(out, entry);
@@ -195,7 +195,7 @@ Finding rounding(const Entry& entry, const Gimbal& g) {
 /// Which lock, how it grows, and where double loses its digits.
 std::vector<Finding> gimbal(const Entry& entry) {
   const Known* k = known(entry);
-  const auto locks = gimbal_locks(entry);
+  const auto& locks = gimbal_locks(entry);
   std::vector<Finding> out;
   Draft count = named(entry, "gimbal_locks", double(locks.size()), locks.empty() ? "" : locks[0].sequence);
   if (k != nullptr)

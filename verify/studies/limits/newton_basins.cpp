@@ -17,9 +17,6 @@ using reference::Entry;
 using reference::NewtonOrder;
 using reference::NewtonTangent;
 
-constexpr int kResolution =
-    31;                      // of load and direction: with 13 a third of the safe steps came out too large
-constexpr int kStarts = 13;  // each way
 constexpr double kLinearOrder = 0.02, kDifferenceOrder = 0.2;
 constexpr const char* kLinearOrderReason =
     "a linear rate, since M is not J at the solution; the slope over the last third of the steps still turns "
@@ -27,8 +24,6 @@ constexpr const char* kLinearOrderReason =
 constexpr double kLinearFactor = 0.06;  // relative
 constexpr double kDifferenceFactor =
     0.8;  // a factor of 2.2: two steps, whose errors have different directions
-const Vec3<double> kStart{0.01, -0.015, 0.008};   // rad: off rest, from where some laws need one step
-const Vec3<double> kResponse{0.06, 0.05, 0.062};  // rad: small enough for every tangent to converge
 
 Draft of_newton(const Entry& entry, const std::string& what) {
   return finding(fmt::format("{}/angular/newton_{}", entry.name, what))
@@ -36,20 +31,19 @@ Draft of_newton(const Entry& entry, const std::string& what) {
       .about("newton_basins");
 }
 
-Finding analytic_order(const Entry& entry, const reference::Scene& block) {
-  constexpr int kRuns = 7;
+Finding analytic_order(const Entry& entry) {
   return of_newton(entry, "order_analytic")
-      .measured(pooled_order(block, entry, 1, kRuns))
+      .measured(pooled_order(entry))
       .in("order")
       .equal(2, 0.1,
              fmt::format("Newton's order; over the errors 1e-2 ... 1e-44 of {} runs, whose constants differ "
                          "by up to ten",
-                         kRuns))
+                         reference::kPooledRuns))
       .by(Oracle::closed_form);
 }
 
-std::vector<Finding> linear_order(const Entry& entry, const reference::Scene& block, NewtonTangent tangent) {
-  const NewtonOrder o = newton_order(block, entry, tangent, 1, kStart);
+std::vector<Finding> linear_order(const Entry& entry, NewtonTangent tangent) {
+  const NewtonOrder& o = block_order(entry, tangent);
   const bool by_differences = tangent == NewtonTangent::forward_difference;
   return {of_newton(entry, fmt::format("order_{}", to_string(tangent)))
               .measured(o.order, fmt::format("{} iterations to 50 digits", o.iterations))
@@ -68,9 +62,11 @@ std::vector<Finding> linear_order(const Entry& entry, const reference::Scene& bl
 }
 
 /// Without load a tangent is symmetric, and symmetrising it changes nothing to first order.
-Finding unloaded(const Entry& entry, const reference::Scene& block) {
+Finding unloaded(const Entry& entry) {
+  const Vec3<double>& start = reference::kSmallResponse;
   return of_newton(entry, "factor_unloaded")
-      .measured(newton_order(block, entry, NewtonTangent::symmetrised, 0, kResponse).predicted)
+      .measured(
+          newton_order(reference::block_scene(start), entry, NewtonTangent::symmetrised, 0, start).predicted)
       .in("linear factor of the symmetrised tangent")
       .at_most(1e-40,
                "J = K at the unstrained pose, symmetric: the factor vanishes to the rounding of 50 digits")
@@ -78,11 +74,10 @@ Finding unloaded(const Entry& entry, const reference::Scene& block) {
 }
 
 std::vector<Finding> orders(const Entry& entry) {
-  const reference::Scene block = reference::block_scene(kResponse);
-  std::vector<Finding> out = {analytic_order(entry, block), unloaded(entry, block)};
+  std::vector<Finding> out = {analytic_order(entry), unloaded(entry)};
   for (NewtonTangent t :
        {NewtonTangent::symmetrised, NewtonTangent::frozen, NewtonTangent::forward_difference}) {
-    for (Finding& f : linear_order(entry, block, t)) out.push_back(std::move(f));
+    for (Finding& f : linear_order(entry, t)) out.push_back(std::move(f));
   }
   return out;
 }
@@ -90,8 +85,8 @@ std::vector<Finding> orders(const Entry& entry) {
 /// What a single step reaches is data: shown, for the tangent that a solver should use.
 std::vector<Finding> maps(const Entry& entry) {
   std::vector<Finding> out;
-  for (const auto& grid : reference::load_grids(kResolution)) {
-    const auto map = reference::BasinMaps(grid, entry).map(NewtonTangent::analytic);
+  for (const auto& grid : reference::load_grids()) {
+    const auto& map = load_map(entry, grid, NewtonTangent::analytic);
     out.push_back(
         of_newton(entry, fmt::format("safe_step_{}", grid.name))
             .measured(map.safe_step,
@@ -105,8 +100,8 @@ std::vector<Finding> maps(const Entry& entry) {
 
 /// Whatever plain Newton calls converged is in equilibrium, by the formulation's own loads.
 Finding equilibria(const Entry& entry) {
-  constexpr double kMoment = 1000;
-  const auto map = start_map(entry, NewtonTangent::analytic, kMoment, kStarts);
+  constexpr double kMoment = reference::kStartMoment;
+  const auto& map = start_map(entry);
   Draft f = of_newton(entry, "start_imbalance");
   if (map.equilibria.empty() && !map.has_branch)
     return f.left_out("no start converges and no path reaches this load");

@@ -4,6 +4,7 @@
 #include "reference/numbers/random.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/solve/paths/singular_algebra.hpp"
+#include "verify/once.hpp"
 
 #include <Eigen/LU>
 
@@ -95,21 +96,34 @@ NewtonOrder newton_order(const Scene& scene, const Entry& entry, NewtonTangent t
   return out;
 }
 
-double pooled_order(const Scene& scene, const Entry& entry, double factor, int runs) {
+static double pooled(const Entry& entry) {
   constexpr double kNear = 1e-2;  // rad: beyond, the next order of the error shows
+  const Scene scene = block_scene(kSmallResponse);
   const EquilibriumProblem<Real50> problem(scene, entry, entry.probe_xi);
   Generator random(31);
   Pairs all;
-  for (int i = 0; i < runs; ++i) {
+  for (int i = 0; i < kPooledRuns; ++i) {
     Pose<Real50> b = problem.start();
     b.R = so3::exp<Real50>((0.2 * random.direction()).cast<Real50>()) * b.R;
-    const auto run = plain_newton(problem, NewtonTangent::analytic, b, Real50(factor), kMostIterations);
+    const auto run = plain_newton(problem, NewtonTangent::analytic, b, Real50(1), kMostIterations);
     if (run.end != NewtonEnd::converged) return std::nan("");
     for (const auto& pair : pairs(errors(run.poses, run.poses.back().R), 0)) {
       if (pair[0] <= std::log(kNear)) all.push_back(pair);
     }
   }
   return slope(all);
+}
+
+double pooled_order(const Entry& entry) {
+  static verify::Once<double> known;
+  return known(entry, [&] { return pooled(entry); });
+}
+
+const NewtonOrder& block_order(const Entry& entry, NewtonTangent tangent) {
+  static verify::Once<NewtonOrder, NewtonTangent> known;
+  return known(entry, tangent, [&] {
+    return newton_order(block_scene(kSmallResponse), entry, tangent, 1, {0.01, -0.015, 0.008});
+  });
 }
 
 Scene block_scene(const Vec3<double>& linear_response) {

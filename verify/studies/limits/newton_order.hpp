@@ -21,12 +21,19 @@ struct NewtonOrder {
 NewtonOrder newton_order(const Scene& scene, const Entry& entry, NewtonTangent tangent, double factor,
                          const Vec3<double>& start);
 
-/// The slope over the errors of several runs at once, analytic tangent, starts 0.2 rad from rest: a quadratic
-/// run has five errors at most, and the constant of its steps turns with their direction. NaN when one of
-/// the runs does not converge.
-double pooled_order(const Scene& scene, const Entry& entry, double factor, int runs);
-
 /// c3_buckling's block under the fixed moment K theta: the linear analysis answers with theta, rad.
 Scene block_scene(const Vec3<double>& linear_response);
+
+/// A response of the block that is small enough for every tangent to converge, rad.
+inline const Vec3<double> kSmallResponse{0.06, 0.05, 0.062};
+
+/// Towards that response, from a little off rest: there some laws need one step. Computed once.
+const NewtonOrder& block_order(const Entry& entry, NewtonTangent tangent);
+
+/// The slope over the errors of several such runs at once, analytic tangent, starts 0.2 rad from rest: a
+/// quadratic run has five errors at most, and the constant of its steps turns with their direction. NaN when
+/// one of the runs does not converge. Computed once.
+inline constexpr int kPooledRuns = 7;
+double pooled_order(const Entry& entry);
 
 }  // namespace halfway::reference

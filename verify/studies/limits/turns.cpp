@@ -2,6 +2,7 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/record/worst.hpp"
+#include "verify/once.hpp"
 
 #include <gsl/gsl_linalg.h>
 
@@ -114,7 +115,11 @@ Crossing crossing(const Entry& entry, const Vec3<Real50>& axis, const std::strin
   return c;
 }
 
-LargeRotation large_rotation(const Entry& entry, int axis) {
+const Crossing& LargeRotation::across(std::string_view angle) const {
+  return *std::ranges::find(crossings, angle, &Crossing::angle);
+}
+
+static LargeRotation measured(const Entry& entry, int axis) {
   const Real50 pi = pi50(), half = pi / Real50(2), eps("1e-9");
   const Vec3<Real50> n = turn_axis(axis);
   LargeRotation out{std::string(entry.name), axis};
@@ -126,6 +131,11 @@ LargeRotation large_rotation(const Entry& entry, int axis) {
   out.crossings = {crossing(entry, n, "pi/2", half), crossing(entry, n, "pi", pi),
                    crossing(entry, n, "3 pi/2", pi + half), crossing(entry, n, "2 pi", pi + pi)};
   return out;
+}
+
+const LargeRotation& large_rotation(const Entry& entry, int axis) {
+  static verify::Once<LargeRotation, int> known;
+  return known(entry, axis, [&] { return measured(entry, axis); });
 }
 
 }  // namespace halfway::reference

@@ -49,10 +49,11 @@ struct LargeRotation {
   int axis = 0;
   std::vector<TurnPoint> points{};
   std::vector<Crossing> crossings{};
+  const Crossing& across(std::string_view angle) const;  ///< "pi/2", "pi", "3 pi/2", "2 pi"
 };
 
-/// At pi/2, pi - 1e-9, pi, pi + 1e-9, 3 pi/2, 2 pi, and across pi/2, pi, 3 pi/2, 2 pi.
-LargeRotation large_rotation(const Entry& entry, int axis);
+/// At pi/2, pi - 1e-9, pi, pi + 1e-9, 3 pi/2, 2 pi, and across pi/2, pi, 3 pi/2, 2 pi. Computed once.
+const LargeRotation& large_rotation(const Entry& entry, int axis);
 
 /// Across one angle (rad).
 Crossing crossing(const Entry& entry, const Vec3<Real50>& axis, const std::string& name, const Real50& phi);
@@ -73,8 +74,9 @@ struct Gimbal {
   double lost_1e6 = 0, lost_1e3 = 0;  ///< largest distance at which the error exceeds 1e-6, 1e-3; 0: none
 };
 
-/// One for each sequence at which the tangent is unbounded; none where the formulation has no lock.
-std::vector<Gimbal> gimbal_locks(const Entry& entry);
+/// One for each sequence at which the tangent is unbounded; none where the formulation has no lock. Computed
+/// once.
+const std::vector<Gimbal>& gimbal_locks(const Entry& entry);
 
 /// Moment about the generic axis, n.m / n.K n (rad), over phi in double.
 struct TurnCurve {

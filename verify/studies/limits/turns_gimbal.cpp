@@ -1,6 +1,7 @@
 // Where three turns one after another lose an axis. No formulation is asked whether it counts Euler angles:
 // each is brought near the lock of each sequence, and those whose tangent grows have it.
 #include "reference/face/instantiations.hpp"
+#include "verify/once.hpp"
 #include "verify/studies/limits/turns.hpp"
 
 #include <cmath>
@@ -39,13 +40,7 @@ double lost_at(const Gimbal& g, double limit) {
   return 0;
 }
 
-}  // namespace
-
-std::string sequence_name(const Sequence& s) {
-  return std::to_string(s.i + 1) + std::to_string(s.j + 1) + std::to_string(s.k + 1);
-}
-
-std::vector<Gimbal> gimbal_locks(const Entry& entry) {
+std::vector<Gimbal> found(const Entry& entry) {
   std::vector<Gimbal> out;
   for (const Sequence& s : kSequences) {
     const AngularLoads<Real50> far = exact(entry, before_lock(s, Real50("1e-8")));
@@ -65,6 +60,17 @@ std::vector<Gimbal> gimbal_locks(const Entry& entry) {
     out.push_back(g);
   }
   return out;
+}
+
+}  // namespace
+
+std::string sequence_name(const Sequence& s) {
+  return std::to_string(s.i + 1) + std::to_string(s.j + 1) + std::to_string(s.k + 1);
+}
+
+const std::vector<Gimbal>& gimbal_locks(const Entry& entry) {
+  static verify::Once<std::vector<Gimbal>> known;
+  return known(entry, [&] { return found(entry); });
 }
 
 }  // namespace halfway::reference

@@ -1,6 +1,7 @@
 // Thousands of periods of bodies on every formulation: who makes energy, and who angular momentum.
-#include "reference/solve/dynamics/drift.hpp"
+#include "verify/once.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/studies/motion/energy.hpp"
 
 #include <fmt/format.h>
 
@@ -126,7 +127,7 @@ std::vector<Finding> momenta(const Entry& entry, Kind kind, const d::Drift& star
 
 std::vector<Finding> long_run(const Entry& entry, Kind kind) {
   const bool free = kind != Kind::angular;
-  const auto scenario = free ? d::free_scenario(entry) : d::clamped_scenario(entry);
+  const auto scenario = motion_scenario(entry, kind);
   const auto largest = [&](int steps) {
     d::DriftSettings few;
     few.periods = 30;
@@ -135,7 +136,7 @@ std::vector<Finding> long_run(const Entry& entry, Kind kind) {
   };
   const d::DriftSettings settings;
   const double by_half_steps = largest(2 * settings.steps_per_fastest) / largest(settings.steps_per_fastest);
-  const d::Drift run = measure_drift(entry, scenario, settings);
+  const d::Drift& run = long_motion(entry, kind);
   d::DriftSettings regular;
   if (free) regular.periods = kRegular;
   const d::Drift start = free ? measure_drift(entry, scenario, regular) : run;
@@ -148,6 +149,15 @@ std::vector<Finding> long_run(const Entry& entry, Kind kind) {
 }
 
 }  // namespace
+
+d::Scenario motion_scenario(const Entry& entry, Kind kind) {
+  return kind == Kind::angular ? d::clamped_scenario(entry) : d::free_scenario(entry);
+}
+
+const d::Drift& long_motion(const Entry& entry, Kind kind) {
+  static Once<d::Drift, Kind> known;
+  return known(entry, kind, [&] { return measure_drift(entry, motion_scenario(entry, kind), {}); });
+}
 
 void energy_drift(Checks& checks) {
   for (const Entry& entry : reference::formulations()) {

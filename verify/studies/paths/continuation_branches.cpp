@@ -1,9 +1,8 @@
 // Branchings of the unskewed buckling case: located on the path, followed both ways.
 #include "reference/solve/buckling.hpp"
-#include "reference/solve/paths/branches.hpp"
 #include "verify/oracle/property.hpp"
-#include "verify/oracle/scene_access.hpp"
 #include "verify/oracle/worst.hpp"
+#include "verify/studies/paths/block_paths.hpp"
 
 #include <fmt/format.h>
 
@@ -13,11 +12,9 @@ namespace halfway::verify {
 namespace {
 
 using reference::Branch;
-using reference::Continuation;
 using reference::EquilibriumPath;
 using reference::Real50;
 
-constexpr const char* kScene = "c3_buckling";
 constexpr int kAxis = 0;
 
 /// Residual of a pose at 50 digits over the load, by the joint alone.
@@ -97,11 +94,8 @@ Finding mirrored(const std::vector<Branch>& all, Draft f) {
 }
 
 std::vector<Finding> branching(const Entry& entry) {
-  const reference::Scene s = reference::without_skew(scene(kScene), kAxis);
-  reference::ContinuationOptions options;
-  options.end_factor = s.factor_end;
-  const Continuation continuation(s, entry, entry.probe_xi, options);
-  const std::vector<Branch> all = branches(continuation);
+  const reference::Scene& s = straight_block();
+  const std::vector<Branch>& all = straight_branches(entry).branches;
   const EquilibriumPath& primary = all.front().path;
   const auto named = [&](const char* what) {
     return property_finding(entry, Kind::angular, std::string("c3_branching_") + what);

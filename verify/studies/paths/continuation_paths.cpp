@@ -1,10 +1,10 @@
 // The skewed buckling case by arc length: against load stepping, there and back, and in coarse
 // steps; and what load stepping in whole steps makes of it.
-#include "reference/solve/paths/continuation_load_steps.hpp"
 #include "reference/solve/solve.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
 #include "verify/oracle/worst.hpp"
+#include "verify/studies/paths/block_paths.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,6 @@ using reference::Continuation;
 using reference::ContinuationOptions;
 using reference::EquilibriumPath;
 
-constexpr const char* kScene = "c3_buckling";
 constexpr const char* kForceScene = "c6_compression_shear";
 constexpr int kLoadSteps = 18;
 constexpr double kSamePath = 1e-12;  // rad
@@ -28,12 +27,6 @@ constexpr const char* kWhy =
 
 double limit_of(const EquilibriumPath& path) {
   return path.end == reference::PathEnd::pole ? kAtPole : kSamePath;
-}
-
-ContinuationOptions whole_load() {
-  ContinuationOptions out;
-  out.end_factor = scene(kScene).factor_end;
-  return out;
 }
 
 Draft c3_finding(const Entry& entry, const char* what) {
@@ -57,7 +50,7 @@ double off_load_steps(const reference::Scene& s, const Entry& entry, const Conti
 Finding against_load_steps(const Entry& entry, const Continuation& continuation,
                            const EquilibriumPath& path) {
   double reached = 0;
-  const double off = off_load_steps(scene(kScene), entry, continuation, path, reached);
+  const double off = off_load_steps(scene(kBlockPathScene), entry, continuation, path, reached);
   return c3_finding(entry, "arc_length")
       .measured(off, fmt::format("load steps to {:.6g} N m; by arc length: {}", reached, path.outcome))
       .at_most(limit_of(path), kWhy);
@@ -123,7 +116,8 @@ Finding coarse(const Entry& entry, const Continuation& continuation, const Equil
     ContinuationOptions options = whole_load();
     options.first_step = options.largest_step = path.points.back().arc / steps;
     if (!all_guards) options = by_signs_alone(options);
-    const EquilibriumPath rough = Continuation(scene(kScene), entry, entry.probe_xi, options).from_rest();
+    const EquilibriumPath rough =
+        Continuation(scene(kBlockPathScene), entry, entry.probe_xi, options).from_rest();
     worst.include(off_fine_path(continuation, path, rough), {});
     where += fmt::format("{} steps asked for, {} taken, {} shortened; ", steps, rough.points.size() - 1,
                          rough.rejected);
@@ -134,8 +128,7 @@ Finding coarse(const Entry& entry, const Continuation& continuation, const Equil
 }
 
 std::vector<Finding> skewed(const Entry& entry) {
-  const Continuation continuation(scene(kScene), entry, entry.probe_xi, whole_load());
-  const EquilibriumPath path = continuation.from_rest();
+  const auto& [continuation, path] = skewed_path(entry);
   return {against_load_steps(entry, continuation, path), there_and_back(entry, continuation, path),
           coarse(entry, continuation, path, true), coarse(entry, continuation, path, false)};
 }
@@ -144,10 +137,8 @@ std::vector<Finding> skewed(const Entry& entry) {
 std::vector<Finding> eighteen_steps() {
   std::vector<Finding> out;
   for (const Entry& entry : reference::formulations()) {
-    const Continuation continuation(scene(kScene), entry, entry.probe_xi, whole_load());
-    const EquilibriumPath path = continuation.from_rest();
-    const auto add = [&](const char* solver, const reference::LoadSteps& steps) {
-      const reference::OffPath off = off_path(continuation, path, steps);
+    const auto add = [&](const char* solver, const reference::LoadSteps& steps,
+                         const reference::OffPath& off) {
       const std::string end_at = fmt::format(
           "{} {:.6g} N m", steps.converged ? "converged to" : "gave up after", steps.states.back().factor);
       const std::string first =
@@ -157,9 +148,9 @@ std::vector<Finding> eighteen_steps() {
                         .in("states")
                         .reported("states of 18 load steps that lie elsewhere than on the path"));
     };
-    const double end = scene(kScene).factor_end;
-    add("load_steps_newton", newton_load_steps(continuation.problem(), end, kLoadSteps));
-    add("load_steps_gsl", gsl_load_steps(continuation.problem(), end, kLoadSteps));
+    const BlockSteps& steps = load_steps(entry, kLoadSteps);
+    add("load_steps_newton", steps.newton, steps.newton_off);
+    add("load_steps_gsl", steps.gsl, steps.gsl_off);
   }
   return out;
 }

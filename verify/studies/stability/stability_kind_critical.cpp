@@ -1,10 +1,10 @@
 // Critical moments of the block of C3 about each axis: divergence and flutter, against the references of the
 // scene, the zeros of the determinant, and the eigenvalues of another library.
 #include "reference/solve/buckling.hpp"
-#include "reference/solve/stability/critical.hpp"
 #include "reference/solve/stability/critical_zeros.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/block_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,7 @@ namespace {
 
 using namespace reference;
 
-const BodyInertia kRound{}, kLong{"1:2:2.5", {1, 2, 2.5}, 1};
 constexpr MomentSetting kFixed{MomentType::fixed, false};
-
-JointSpec block(const Entry& entry) {
-  JointSpec spec = scene("c3_buckling").joint;
-  spec.xi = entry.probe_xi;
-  return spec;
-}
 
 double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
 
@@ -58,11 +51,11 @@ std::vector<Finding> zeros() {
 /// The seven values of C3, as the scene has them.
 std::vector<Finding> c3_values() {
   std::vector<Finding> out;
-  const Scene& s = scene("c3_buckling");
+  const Scene& s = scene(kBlockScene);
   for (const SceneReference& r : s.references) {
     if (r.output != "critical_moment") continue;
     const Entry& entry = *find_formulation(r.formulation);
-    const auto found = PrimaryPath(entry, block(entry), s.critical_axis - 1).critical(kFixed, kRound);
+    const auto& found = critical_loads(entry, s.critical_axis - 1, kFixed, kRound);
     const double expected = r.none ? 0 : double(Real50(r.value.c_str()));
     out.push_back(
         finding("stability_kind/c3/" + r.formulation)
@@ -82,9 +75,9 @@ Finding second_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   std::string without;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto ours = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    const auto& ours = critical_loads(entry, axis, kFixed, kRound);
     std::optional<Critical> theirs;
-    if (const auto found = first_buckling(entry, block(entry), axis)) {
+    if (const auto found = first_buckling(entry, block_joint(entry), axis)) {
       if (double(found->angle) < ours.end_angle) theirs = Critical{found->moment, found->angle};
     }
     const std::string at = "axis " + std::to_string(axis + 1);
@@ -111,7 +104,7 @@ struct FirstInstability {
 };
 FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSetting& setting,
                                 const BodyInertia& body, double end) {
-  const JointSpec spec = block(entry);
+  const JointSpec spec = block_joint(entry);
   const auto kind_at = [&](double angle) {
     const auto p = loaded_state<double>(entry, spec, axis, setting, angle);
     return stability_kind(modes(p.J, mass_matrix(body, p.R, 3)));
@@ -133,9 +126,8 @@ FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSettin
 Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
     for (const MomentSetting& setting : kMomentSettings) {
-      const auto c = path.critical(setting, kLong);
+      const auto& c = critical_loads(entry, axis, setting, kLong);
       const auto found = by_eigenvalues(entry, axis, setting, kLong, c.end_angle);
       const auto& first = c.first() == StabilityKind::flutter ? c.flutter : c.divergence;
       const double expected = first ? double(first->angle) : 0;

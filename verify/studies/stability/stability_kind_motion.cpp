@@ -2,7 +2,7 @@
 // stays where it is below.
 #include "reference/solve/stability/kind_motion.hpp"
 #include "verify/oracle/property.hpp"
-#include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/block_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,22 +16,12 @@ constexpr int kAxis = 2;  // the stiffest of the block: most formulations flutte
 constexpr int kPoints = 400, kLast = 100;
 
 MotionRequest request_of(const Entry& entry) {
-  JointSpec spec = scene("c3_buckling").joint;
-  spec.xi = entry.probe_xi;
-  return {&entry, spec, kAxis, {MomentType::fixed, false}, {"1:2:2.5", {1, 2, 2.5}, 1}, 0};
-}
-
-double growth_rate(const MotionRequest& r) {
-  const auto p = loaded_state<double>(*r.entry, r.spec, r.axis, r.setting, r.angle);
-  double largest = 0;
-  for (const auto& mu : modes(p.J, mass_matrix(r.body, p.R, 3)))
-    keep_largest(largest, std::abs(std::sqrt(-mu).real()));
-  return largest;
+  return {&entry, block_joint(entry), kAxis, {MomentType::fixed, false}, kLong, 0};
 }
 
 /// Where flutter begins, if it is the first instability: beyond a divergence motions leave in another way.
 std::optional<double> flutter_angle(const MotionRequest& r) {
-  const auto c = PrimaryPath(*r.entry, r.spec, r.axis).critical(r.setting, r.body);
+  const auto& c = critical_loads(*r.entry, r.axis, r.setting, r.body);
   if (c.first() != StabilityKind::flutter) return std::nullopt;
   return double(c.flutter->angle);
 }
@@ -43,7 +33,7 @@ Finding growth_above(const Entry& entry, Kind, Draft f) {
   const auto critical = flutter_angle(r);
   if (!critical) return f.left_out(kNone);
   r.angle = 1.01 * *critical;
-  const double expected = growth_rate(r);
+  const double expected = block_modes(entry, r.axis, r.setting, r.body, r.angle).growth;
   const double until = std::log(1e3) / expected;  // from 1e-6 to 1e-3 rad, where it is linear to 1e-3
   const auto mode = dominating_mode(disturbed_motion(r, until, kPoints), kLast);
   return f.measured(mode ? mode->real() : std::nan(""), "1 % above the critical angle")

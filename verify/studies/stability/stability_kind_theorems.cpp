@@ -1,7 +1,6 @@
 // Divergence and flutter against closed forms and theorems.
-#include "reference/solve/stability/critical.hpp"
 #include "verify/oracle/property.hpp"
-#include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/block_loads.hpp"
 
 #include <cmath>
 
@@ -10,14 +9,7 @@ namespace {
 
 using namespace reference;
 
-const BodyInertia kRound{}, kLong{"1:2:2.5", {1, 2, 2.5}, 1};
 constexpr MomentSetting kFixed{MomentType::fixed, false}, kFollower{MomentType::follower, false};
-
-JointSpec block(const Entry& entry) {
-  JointSpec spec = scene("c3_buckling").joint;
-  spec.xi = entry.probe_xi;
-  return spec;
-}
 
 /// What was counted, by name.
 struct Listed {
@@ -36,11 +28,11 @@ Finding fixed_is_follower(const Entry& entry, Kind kind, Draft f) {
   };
   Listed different;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
-    for (const BodyInertia* body : {&kRound, &kLong}) {
-      const auto fixed = path.critical(kFixed, *body), follower = path.critical(kFollower, *body);
+    for (const BodyInertia& body : kBlockBodies) {
+      const auto &fixed = critical_loads(entry, axis, kFixed, body),
+                 &follower = critical_loads(entry, axis, kFollower, body);
       if (same(fixed.divergence, follower.divergence) && same(fixed.flutter, follower.flutter)) continue;
-      different.add("axis " + std::to_string(axis + 1) + " (" + body->name + ")");
+      different.add("axis " + std::to_string(axis + 1) + " (" + body.name + ")");
     }
   }
   f.measured(different.count, different.which).in("of 6 paths differ");
@@ -56,9 +48,9 @@ Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
   if (!entry.has_potential(kind)) return f.left_out("the condition holds for loads that have a potential");
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto c = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    const auto& c = critical_loads(entry, axis, kFixed, kRound);
     if (!c.flutter) continue;
-    const auto p = loaded_state<Real50>(entry, block(entry), axis, kFixed, c.flutter->angle);
+    const auto p = loaded_state<Real50>(entry, block_joint(entry), axis, kFixed, c.flutter->angle);
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const Real50 half = (p.J(i, j) + p.J(j, i)) / Real50(2), gap = p.J(i, i) - p.J(j, j);
     const Real50 gap2 = gap * gap + Real50(4) * half * half;
@@ -73,13 +65,12 @@ Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
 Finding flutter_under_couples(const Entry& entry, Kind kind, Draft f) {
   Listed flutter;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
     for (const MomentSetting& setting : kMomentSettings) {
       if (!moment_potential<double>({setting.type, axis, 0}, 1, Mat3<double>::Identity())) continue;
-      for (const BodyInertia* body : {&kRound, &kLong}) {
-        if (!path.critical(setting, *body).flutter) continue;
+      for (const BodyInertia& body : kBlockBodies) {
+        if (!critical_loads(entry, axis, setting, body).flutter) continue;
         flutter.add(std::string(to_string(setting)) + " about " + std::to_string(axis + 1) + " (" +
-                    body->name + ")");
+                    body.name + ")");
       }
     }
   }

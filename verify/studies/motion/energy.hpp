@@ -1,0 +1,32 @@
+// What of its energy a joint keeps: in thousands of periods of bodies, and round closed loops. Computed once,
+// judged and drawn.
+#pragma once
+
+#include "reference/solve/dynamics/drift.hpp"
+#include "verify/oracle/measures.hpp"
+
+namespace halfway::verify {
+
+/// A body on a clamped joint where the kind is angular, else two free ones.
+reference::dynamics::Scenario motion_scenario(const Entry& entry, Kind kind);
+
+/// @param kind  angular or linear_angular
+const reference::dynamics::Drift& long_motion(const Entry& entry, Kind kind);
+
+/// Work round a loop at small amplitudes, at 50 digits.
+struct SmallLoops {
+  LoopWork once, twice;  ///< of kSmallAmplitude, and of twice that
+  double order() const;  ///< of the net work in the amplitude
+};
+inline constexpr double kSmallAmplitude = 1e-5;  ///< rad and m
+const SmallLoops& small_loops(const Entry& entry, Kind kind);
+
+struct WideLoop {
+  double amplitude = 0;  ///< rad and m
+  double relative = 0;   ///< net work over turnover
+};
+/// Amplitudes of 0.0125 to 0.8; the loads of doubles on a loop of 50 digits: a chart needs no more, and they
+/// cost a tenth.
+std::vector<WideLoop> wide_loops(const Entry& entry, Kind kind);
+
+}  // namespace halfway::verify
