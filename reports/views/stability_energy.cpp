@@ -1,6 +1,7 @@
 #include "reports/views/stability_energy.hpp"
 
 #include "reference/record/worst.hpp"
+#include "reports/views/rounded.hpp"
 #include "verify/studies/motion/energy.hpp"
 
 #include <fmt/format.h>
@@ -26,9 +27,6 @@ json scenario_row(const d::Scenario& scenario, const Entry& entry) {
           {"frequencies", modes}};
 }
 
-/// Four digits: what a chart shows.
-double rounded(double x) { return std::stod(fmt::format("{:.4g}", x)); }
-
 /// The envelope of the energy change over equal steps of log(period).
 json envelope(const d::Drift& run) {
   constexpr double kPerDecade = 30;
@@ -39,7 +37,7 @@ json envelope(const d::Drift& run) {
     if (edge == 0) edge = s.period;
     reference::keep_largest(largest, std::abs(s.energy));
     if (s.period < edge && &s != &run.samples.back()) continue;
-    out.push_back({rounded(s.period), rounded(largest)});
+    out.push_back({rounded(s.period, 4), rounded(largest, 4)});
     largest = 0;
     while (edge <= s.period) edge *= std::pow(10, 1 / kPerDecade);
   }
@@ -68,7 +66,7 @@ json run_row(const Entry& entry, Kind kind) {
 json loop_row(const Entry& entry, Kind kind) {
   json points = json::array();
   for (const verify::WideLoop& loop : verify::wide_loops(entry, kind))
-    points.push_back({{"amplitude", loop.amplitude}, {"relative", rounded(loop.relative)}});
+    points.push_back({{"amplitude", loop.amplitude}, {"relative", rounded(loop.relative, 4)}});
   const bool leaks = !entry.facts.loop_work.of(kind).holds();
   return {{"formulation", entry.name},
           {"kind", to_string(kind)},

@@ -1,5 +1,6 @@
 #include "reports/views/stability_kind.hpp"
 
+#include "reports/views/rounded.hpp"
 #include "verify/studies/stability/block_loads.hpp"
 
 #include <fmt/format.h>
@@ -49,14 +50,11 @@ void add_rows(json& rows, const Entry& entry, int axis) {
   }
 }
 
-/// Six digits: what a chart shows.
-double rounded(double x) { return std::isfinite(x) ? std::stod(fmt::format("{:.6g}", x)) : x; }
-
 json modes_of(const Entry& entry, const MomentSetting& setting) {
   json points = json::array();
   for (const BlockModes& m : modes_along(entry, setting)) {
-    points.push_back(
-        {rounded(m.load), rounded(m.angle), rounded(m.lowest), rounded(m.imaginary), rounded(m.growth)});
+    points.push_back({rounded(m.load, 6), rounded(m.angle, 6), rounded(m.lowest, 6), rounded(m.imaginary, 6),
+                      rounded(m.growth, 6)});
   }
   return {{"formulation", entry.name},
           {"moment", to_string(setting)},

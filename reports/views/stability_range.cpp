@@ -1,6 +1,7 @@
 #include "reports/views/stability_range.hpp"
 
 #include "reports/eval/eval_line.hpp"
+#include "reports/views/rounded.hpp"
 #include "verify/studies/limits/conditioning.hpp"
 #include "verify/studies/limits/turns.hpp"
 
@@ -23,18 +24,6 @@ using reference::Crossing, reference::ErrorRow, reference::ErrorRows, reference:
     reference::unwrapped_curves;
 using reference::Entry;
 
-/// To `digits` significant ones; null where it is not finite.
-json rounded(double x, int digits) {
-  if (!std::isfinite(x)) return nullptr;
-  return std::strtod(fmt::format("{:.{}e}", x, digits - 1).c_str(), nullptr);
-}
-
-json rounded(const std::vector<double>& values, int digits) {
-  json out = json::array();
-  for (const double x : values) out.push_back(rounded(x, digits));
-  return out;
-}
-
 /// An order to four decimals: what is left of a limit is no order.
 json order(double x) { return std::isfinite(x) ? json(std::round(x * 1e4) / 1e4) : json(); }
 
@@ -46,9 +35,9 @@ json turns(const LargeRotation& l) {
   json points = json::array(), crossings = json::array();
   for (const TurnPoint& p : l.points) {
     points.push_back({{"angle", p.angle},
-                      {"moment", p.is_finite ? rounded(p.moment, 5) : json()},
-                      {"smallest", p.is_finite ? rounded(p.smallest, 5) : json()},
-                      {"condition", p.is_finite ? rounded(p.condition, 5) : json()}});
+                      {"moment", p.is_finite ? json(rounded(p.moment, 5)) : json()},
+                      {"smallest", p.is_finite ? json(rounded(p.smallest, 5)) : json()},
+                      {"condition", p.is_finite ? json(rounded(p.condition, 5)) : json()}});
   }
   for (const Crossing& c : l.crossings) {
     crossings.push_back({{"angle", c.angle},

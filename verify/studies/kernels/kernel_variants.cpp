@@ -82,7 +82,7 @@ Finding polynomial_angle() {
                  "interpolation at Chebyshev points: 4 M rho^-n / (rho - 1), the least of all ellipses");
 }
 
-std::vector<Finding> angles() {
+std::vector<Finding> relative_angles() {
   return {small_angle<1>(),      small_angle<2>(),       small_angle<3>(),      polynomial_angle<4>(),
           polynomial_angle<8>(), polynomial_angle<12>(), polynomial_angle<18>()};
 }
@@ -210,7 +210,7 @@ std::vector<Finding> variants() {
 }  // namespace
 
 void kernel_variants(Checks& checks) {
-  checks.push_back({"kernel_variants/angles", "kernels", angles});
+  checks.push_back({"kernel_variants/angles", "kernels", relative_angles});
   checks.push_back({"kernel_variants/loads", "kernels", variants});
   for (const Entry& entry : reference::formulations()) {
     if (entry.kernel.in_double.angular == nullptr) continue;

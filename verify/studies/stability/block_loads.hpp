@@ -16,6 +16,8 @@ inline constexpr const char* kBlockScene = "c3_buckling";
 inline const std::array<reference::BodyInertia, 2> kBlockBodies = {{{}, {"1:2:2.5", {1, 2, 2.5}, 1}}};
 inline const reference::BodyInertia &kRound = kBlockBodies[0], &kLong = kBlockBodies[1];
 
+inline constexpr reference::MomentSetting kFixed{reference::MomentType::fixed, false};
+
 reference::JointSpec block_joint(const reference::Entry& entry);
 
 /// @param axis  0, 1 or 2. @param body  one of kBlockBodies.
@@ -35,5 +37,9 @@ BlockModes block_modes(const reference::Entry& entry, int axis, const reference:
 /// About axis 0 with the round body, from rest to where the path or its load ends.
 inline constexpr int kModesAxis = 0;
 std::vector<BlockModes> modes_along(const reference::Entry& entry, const reference::MomentSetting& setting);
+
+inline double relative(const reference::Real50& a, const reference::Real50& b) {
+  return double(abs(a - b) / abs(b));
+}
 
 }  // namespace halfway::verify

@@ -15,10 +15,6 @@ namespace {
 
 using namespace reference;
 
-constexpr MomentSetting kFixed{MomentType::fixed, false};
-
-double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
-
 Finding zero(const std::string& what, const std::optional<Real50>& found, const Real50& expected) {
   return finding("stability_kind/zeros/" + what)
       .about("stability_kind")
@@ -107,7 +103,7 @@ FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSettin
   const JointSpec spec = block_joint(entry);
   const auto kind_at = [&](double angle) {
     const auto p = loaded_state<double>(entry, spec, axis, setting, angle);
-    return stability_kind(modes(p.J, mass_matrix(body, p.R, 3)));
+    return reference::stability_kind(modes(p.J, mass_matrix(body, p.R, 3)));
   };
   constexpr double kStep = 5e-3;
   for (double angle = kStep; angle < end; angle += kStep) {

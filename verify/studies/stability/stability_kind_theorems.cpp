@@ -9,7 +9,7 @@ namespace {
 
 using namespace reference;
 
-constexpr MomentSetting kFixed{MomentType::fixed, false}, kFollower{MomentType::follower, false};
+constexpr MomentSetting kFollower{MomentType::follower, false};
 
 /// What was counted, by name.
 struct Listed {
@@ -17,8 +17,6 @@ struct Listed {
   std::string which;
   void add(const std::string& what) { which += (count++ > 0 ? ", " : "") + what; }
 };
-
-double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / abs(b)); }
 
 /// Loads with a potential under a fixed and under a follower moment have transposed tangents, S -+ [m]/2:
 /// the same critical loads, for every body.
