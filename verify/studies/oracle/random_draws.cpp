@@ -60,7 +60,7 @@ Finding drawn(const char* what, double value, double expected) {
 
 std::vector<Finding> draws() {
   return {drawn("turned_pair", of_pairs(), 58.881884956315),
-          drawn("random_scene", of_scenes(), 37.734618954591),
+          drawn("random_scene", of_scenes(), 57.1340038143499),
           drawn("random_scene_text", of_texts(), 1067601291)};
 }
 

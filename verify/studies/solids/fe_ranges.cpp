@@ -124,13 +124,23 @@ struct Kept {
   double one, five;
 };
 
-constexpr Kept kDegrees[] = {
-    {"attached_a", 6.197, 15.53},       {"attached_b", 6.2, 15.53},       {"invariant", 6.443, 15.72},
-    {"intrinsic", 6.443, 15.72},        {"jointc", 19.43, 24.45},         {"field_a", 6.213, 15.54},
-    {"field_b", 6.226, 15.66},          {"conformal", 6.12, 14.79},       {"potential", 6.443, 15.72},
-    {"helicoidal", 6.443, 15.72},       {"quaternion", 7.295, 18.45},     {"cayley", 5.409, 12.84},
-    {"simbody_xyz", 5.883, 15.45},      {"drake_rpy", 5.845, 15.29},      {"chrono_body", 6.2, 15.53},
-    {"exudyn_intrinsic", 6.443, 15.72}, {"mbdyn_joint_inv", 6.197, 15.53}};
+constexpr Kept kDegrees[] = {{"attached_a", 0, 0},
+                             {"attached_b", 0, 0},
+                             {"invariant", 3.399, 7.694},
+                             {"intrinsic", 3.399, 7.694},
+                             {"jointc", 3.71, 8.099},
+                             {"field_a", 0, 0},
+                             {"field_b", 0, 0},
+                             {"conformal", 3.348, 7.584},
+                             {"potential", 3.381, 7.668},
+                             {"helicoidal", 3.381, 7.668},
+                             {"quaternion", 3.452, 7.852},
+                             {"cayley", 2.872, 6.592},
+                             {"simbody_xyz", 0, 0},
+                             {"drake_rpy", 0, 0},
+                             {"chrono_body", 0, 0},
+                             {"exudyn_intrinsic", 3.399, 7.694},
+                             {"mbdyn_joint_inv", 0, 0}};
 
 Draft held(Draft f, const Entry& entry, double limit) {
   const auto* kept = std::ranges::find(kDegrees, entry.name, &Kept::name);
