@@ -11,26 +11,24 @@
 namespace halfway::verify {
 namespace {
 
-/// The half-way form, a conservative one, one with a free xi and another program's.
-constexpr std::string_view kRepresentatives[] = {"invariant", "conformal", "intrinsic", "drake_rpy"};
-
-/// The rooms whose checks were all seen to fail for what they judge: another one joins by its name here.
-constexpr const char* kRooms[] = {"joints"};
-
-/// Is the check about another formulation than these?
-bool is_about_others(const std::string& check) {
-  for (const auto& entry : reference::catalogued()) {
-    const bool is_named = ("/" + check + "/").find("/" + std::string(entry.name) + "/") != std::string::npos;
-    if (is_named && std::ranges::find(kRepresentatives, entry.name) == std::end(kRepresentatives))
-      return true;
+/// Each room of checks.def, once.
+std::vector<std::string> rooms() {
+  std::vector<std::string> out;
+  for (const char* room : {
+#define HALFWAY_CHECK(room, function) #room,
+#include "verify/checks.def"
+#undef HALFWAY_CHECK
+       }) {
+    const bool is_open = std::string_view(room) == "solids";  // some of its checks are not caught yet
+    if (!is_open && std::ranges::find(out, room) == out.end()) out.emplace_back(room);
   }
-  return false;
+  return out;
 }
 
 Checks of_room(const std::string& room) {
   Checks checks = all_checks();
   std::erase_if(checks, [&](const Check& check) {
-    return check.label != room || check.name.starts_with("saboteurs/") || is_about_others(check.name);
+    return check.label != room || check.name.starts_with("saboteurs/");
   });
   return checks;
 }
@@ -126,8 +124,8 @@ std::vector<Row> computed_rows() {
 }
 
 void saboteurs(Checks& checks) {
-  for (const char* room : kRooms)
-    checks.push_back({std::string("saboteurs/") + room, "oracle", [room] { return findings_of_room(room); }});
+  for (const std::string& room : rooms())
+    checks.push_back({"saboteurs/" + room, "oracle", [room] { return findings_of_room(room); }});
   checks.push_back({"saboteurs/self", "oracle", self});
 }
 

@@ -4,7 +4,9 @@
 #include "reference/solve/stability/critical.hpp"
 #include "reference/solve/stability/critical_zeros.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/primary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +31,7 @@ double relative(const Real50& a, const Real50& b) { return double(abs(a - b) / a
 Finding zero(const std::string& what, const std::optional<Real50>& found, const Real50& expected) {
   return finding("stability_kind/zeros/" + what)
       .about("stability_kind")
-      .measured(found ? double(abs(*found - expected)) : std::nan(""))
+      .measured(found ? double(abs(tapped(*found) - expected)) : std::nan(""))
       .in("rad")
       .at_most(1e-41, "the search ends at steps of 1e-42 rad")
       .by(Oracle::closed_form);
@@ -62,7 +64,7 @@ std::vector<Finding> c3_values() {
   for (const SceneReference& r : s.references) {
     if (r.output != "critical_moment") continue;
     const Entry& entry = *find_formulation(r.formulation);
-    const auto found = PrimaryPath(entry, block(entry), s.critical_axis - 1).critical(kFixed, kRound);
+    const auto found = path_of(entry, block(entry), s.critical_axis - 1).critical(kFixed, kRound);
     const double expected = r.none ? 0 : double(Real50(r.value.c_str()));
     out.push_back(
         finding("stability_kind/c3/" + r.formulation)
@@ -82,7 +84,7 @@ Finding second_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   std::string without;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto ours = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    const auto ours = path_of(entry, block(entry), axis).critical(kFixed, kRound);
     std::optional<Critical> theirs;
     if (const auto found = first_buckling(entry, block(entry), axis)) {
       if (double(found->angle) < ours.end_angle) theirs = Critical{found->moment, found->angle};
@@ -133,7 +135,7 @@ FirstInstability by_eigenvalues(const Entry& entry, int axis, const MomentSettin
 Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
+    const PrimaryPath path = path_of(entry, block(entry), axis);
     for (const MomentSetting& setting : kMomentSettings) {
       const auto c = path.critical(setting, kLong);
       const auto found = by_eigenvalues(entry, axis, setting, kLong, c.end_angle);

@@ -3,6 +3,7 @@
 #include "reference/solve/stability/kind_motion.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/primary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ double growth_rate(const MotionRequest& r) {
 
 /// Where flutter begins, if it is the first instability: beyond a divergence motions leave in another way.
 std::optional<double> flutter_angle(const MotionRequest& r) {
-  const auto c = PrimaryPath(*r.entry, r.spec, r.axis).critical(r.setting, r.body);
+  const auto c = path_of(*r.entry, r.spec, r.axis).critical(r.setting, r.body);
   if (c.first() != StabilityKind::flutter) return std::nullopt;
   return double(c.flutter->angle);
 }

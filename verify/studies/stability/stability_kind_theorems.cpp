@@ -2,6 +2,7 @@
 #include "reference/solve/stability/critical.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/studies/stability/primary.hpp"
 
 #include <cmath>
 
@@ -36,7 +37,7 @@ Finding fixed_is_follower(const Entry& entry, Kind kind, Draft f) {
   };
   Listed different;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
+    const PrimaryPath path = path_of(entry, block(entry), axis);
     for (const BodyInertia* body : {&kRound, &kLong}) {
       const auto fixed = path.critical(kFixed, *body), follower = path.critical(kFollower, *body);
       if (same(fixed.divergence, follower.divergence) && same(fixed.flutter, follower.flutter)) continue;
@@ -56,7 +57,7 @@ Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
   if (!entry.has_potential(kind)) return f.left_out("the condition holds for loads that have a potential");
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto c = PrimaryPath(entry, block(entry), axis).critical(kFixed, kRound);
+    const auto c = path_of(entry, block(entry), axis).critical(kFixed, kRound);
     if (!c.flutter) continue;
     const auto p = loaded_state<Real50>(entry, block(entry), axis, kFixed, c.flutter->angle);
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -73,7 +74,7 @@ Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
 Finding flutter_under_couples(const Entry& entry, Kind kind, Draft f) {
   Listed flutter;
   for (int axis = 0; axis < 3; ++axis) {
-    const PrimaryPath path(entry, block(entry), axis);
+    const PrimaryPath path = path_of(entry, block(entry), axis);
     for (const MomentSetting& setting : kMomentSettings) {
       if (!moment_potential<double>({setting.type, axis, 0}, 1, Mat3<double>::Identity())) continue;
       for (const BodyInertia* body : {&kRound, &kLong}) {
@@ -93,7 +94,7 @@ Finding flutter_angle(const std::string& formulation, const MomentSetting& setti
   const Entry& entry = *find_formulation(formulation);
   JointSpec spec;
   spec.law = LinearSpec{stiffness.asDiagonal(), false};
-  const auto found = PrimaryPath(entry, spec, axis).critical(setting, kRound).flutter;
+  const auto found = path_of(entry, spec, axis).critical(setting, kRound).flutter;
   const double p = stiffness[(axis + 1) % 3], q = stiffness[(axis + 2) % 3];
   return finding("stability_kind/closed_form/" + formulation + "/" + name)
       .of(formulation)
