@@ -64,6 +64,9 @@ constexpr Shown kShown[] = {
     {"*/hinges", "mutants/solver/positions"},
     {"fe/symmetric_body", "mutants/second_order_without_turning_face"},
     {"fe/calculix/*/*", "mutants/calculix_moment_without_gamma"},
+    {"packaging/folds", "packaging/folds_catches"},
+    {"packaging/layering", "packaging/layering_catches"},
+    {"packaging/add_formulation", "packaging/saboteurs_caught"},
 };
 
 }  // namespace
