@@ -1,5 +1,7 @@
 #include "reference/solve/free_directions.hpp"
 
+#include "reference/record/worst.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <Eigen/LU>
@@ -80,8 +82,8 @@ bool agree(const Curve& a, const Curve& b) {
   const auto &x = a.rows.back(), &y = b.rows.back();
   double largest = 0, difference = 0;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    if (i > 0) largest = std::max(largest, std::abs(x[i]));  // the first is the load factor
-    difference = std::max(difference, std::abs(x[i] - y[i]));
+    if (i > 0) keep_largest(largest, std::abs(x[i]));  // the first is the load factor
+    keep_largest(difference, std::abs(x[i] - y[i]));
   }
   return x.size() == y.size() && difference <= 1e-9 * largest;
 }

@@ -1,5 +1,6 @@
 #include "reference/solve/solve.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stop_cause.hpp"
 
@@ -35,7 +36,7 @@ void add_state(const Scene& scene, const Path<double>& path, Curve& curve) {
   curve.rows.push_back(
       row_of(scene, path.state().factor, [&](const std::string& output) { return path.output(output); }));
   double error = 0;
-  for (const std::string& output : scene.outputs) error = std::max(error, path.output_error(output));
+  for (const std::string& output : scene.outputs) keep_largest(error, path.output_error(output));
   curve.errors.push_back(error);
 }
 

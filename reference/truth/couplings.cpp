@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace halfway::reference {
@@ -19,8 +20,10 @@ Mat6T tangent_rate(const Entry& entry, const JointSpec& spec, const Vec6T& q) {
   const Eigen::Matrix<T, 6, 1> path = q.cast<Real50>().cast<T>() * e;
   const Pose<T> a{Vec3<T>::Zero(), Mat3<T>::Identity()};
   const Pose<T> b{path.head<3>(), so3::exp<T>(path.tail<3>())};
-  const auto tangent = entry.in_dual50.point(spec, a, b, true).tangent;
+  const auto [loads, tangent] = entry.in_dual50.point(spec, a, b, true);
   Mat6T rate;
+  if (!loads.unaryExpr([](const T& x) { return double(x.v); }).allFinite())
+    return Mat6T::Constant(std::nan(""));  // no series begins where the loads are no numbers
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) rate(i, j) = double(tangent(6 + i, 6 + j).d);
   }

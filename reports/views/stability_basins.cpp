@@ -54,11 +54,11 @@ json maps_record() {
 }
 
 json start_record(const Entry& entry) {
-  const StartMap& map = start_map(entry);
+  const StartMap& map = start_map(entry, kStartMoment);
   json equilibria = json::array();
   for (const auto& e : map.equilibria)
     equilibria.push_back({{"theta", {e.theta[0], e.theta[1], e.theta[2]}}, {"cells", e.cells}});
-  return {{"formulation", entry.name},    {"moment", kStartMoment},   {"resolution", map.resolution},
+  return {{"formulation", entry.name},    {"moment", map.moment},   {"resolution", map.resolution},
           {"has_branch", map.has_branch}, {"equilibria", equilibria}, {"cells", map.cells}};
 }
 

@@ -23,7 +23,7 @@ json scenario_row(const d::Scenario& scenario, const Entry& entry) {
   return {{"name", scenario.name},
           {"title", scenario.title},
           {"kind", to_string(scenario.spec.kind)},
-          {"period", 2 * std::numbers::pi / modes.front()},
+          {"period", modes.empty() ? std::nan("") : 2 * std::numbers::pi / modes.front()},
           {"frequencies", modes}};
 }
 

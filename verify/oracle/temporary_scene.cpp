@@ -1,5 +1,7 @@
 #include "verify/oracle/temporary_scene.hpp"
 
+#include "verify/oracle/saboteurs/tap.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -23,9 +25,9 @@ std::string refusal(const std::filesystem::path& file) {
     reference::read_scene(file);
   } catch (const reference::SceneError& error) {
     const std::string message = error.what(), folder = file.parent_path().string() + "/";
-    return message.starts_with(folder) ? message.substr(folder.size()) : message;
+    return tapped(message.starts_with(folder) ? message.substr(folder.size()) : message);
   }
-  return "";
+  return tapped(std::string());
 }
 
 }  // namespace halfway::verify

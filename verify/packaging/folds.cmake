@@ -14,13 +14,19 @@ set(named
     "verify/studies/kernels/kernel_polynomials.cpp|share = std::max(1e-6,"
     "verify/studies/oracle/counting.cpp|using std::atan2, std::fma, std::max"
     "verify/oracle/fe_access.cpp|relative.topRightCorner<3, 3>().cwiseAbs().maxCoeff()"
+    "reference/solve/dynamics/scenarios.cpp|squares.maxCoeff()"
+    "reference/solve/dynamics/drift.cpp|inertia.maxCoeff()"
+    "reference/solve/dynamics/drift.cpp|std::max(1, int(std::ceil("
+    "reference/solve/dynamics/drift.cpp|std::max(1, per_period"
+    "reference/solve/free_directions.cpp|K.diagonal().segment<3>(i).maxCoeff()"
+    "reference/solve/free_directions.cpp|free.col(i).cwiseAbs().maxCoeff()"
     "bench/questions/batch/problem.cpp|tangent_(std::max(1, batch::tangent_rows"
     "reports/views/speed_targets.cpp|std::max(t.threads, 1)"
     "reports/views/cheapest.cpp|max_element(all, {}, rank)")
 
 set(violations "")
 set(count 0)
-foreach(room IN ITEMS verify bench/harness bench/questions reports/views reports/tests)
+foreach(room IN ITEMS verify reference/solve bench/harness bench/questions reports/views reports/tests)
   file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/${room}/*.cpp" "${ROOT}/${room}/*.hpp" "${ROOT}/${room}/*.in")
   foreach(source IN LISTS sources)
     math(EXPR count "${count} + 1")

@@ -1,5 +1,6 @@
 #include "reference/solve/paths/singular.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/paths/branching.hpp"
 #include "reference/solve/paths/singular_algebra.hpp"
 
@@ -86,9 +87,8 @@ struct Bracket {
 };
 
 double change(const Trial& a, const Trial& b, const EquilibriumProblem<Real50>& problem) {
-  using std::max;
   const double factor = double(abs(a.state.factor - b.state.factor)) / std::abs(double(b.state.factor));
-  return max(factor, double(abs(turn_from_rest(problem, a.state.b) - turn_from_rest(problem, b.state.b))));
+  return larger(factor, double(abs(turn_from_rest(problem, a.state.b) - turn_from_rest(problem, b.state.b))));
 }
 
 /// The direction that is singular beside the tangent, and whether there is a third.
@@ -162,7 +162,7 @@ Located locate(const ContinuationStep<Real50>& step, Singularity type, const Arc
   }
   // A load factor that stays the same along a whole path turns back nowhere.
   const Real50 least(type == Singularity::fold ? 1e-12 : 0);
-  const Real50 highest = std::max(abs(bracket.low.value), abs(bracket.high.value));
+  const Real50 highest = larger<Real50>(abs(bracket.low.value), abs(bracket.high.value));
   if (highest < least) return {SignChange::none, {}};
   Trial before = bracket.low;
   for (int i = 0; i < kTrials; ++i) {

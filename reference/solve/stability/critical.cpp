@@ -1,5 +1,6 @@
 #include "reference/solve/stability/critical.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/stability/critical_zeros.hpp"
 
 #include <Eigen/LU>
@@ -30,7 +31,7 @@ LoadedState<T> with_moment(const TurnedJoint<T>& joint, int axis, const MomentSe
 bool on_axis(const TurnedJoint<double>& joint, int axis, double scale) {
   Vec3<double> across = joint.m;
   across[axis] = 0;
-  return joint.m_w.allFinite() && across.norm() <= kNothing * scale;
+  return joint.m.allFinite() && joint.m_w.allFinite() && across.norm() <= kNothing * scale;
 }
 
 /// The last angle at which `holds`, which it does at `low` and does not at `high`.
@@ -105,7 +106,7 @@ PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis, bool node
       end_ = SearchEnd::off_axis;
       return;
     }
-    scale = std::max(scale, std::abs(now.m[axis_]));
+    keep_largest(scale, std::abs(now.m[axis_]));
     samples_.push_back({angle, now});
     end_angle_ = angle;
   }

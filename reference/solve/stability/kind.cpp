@@ -1,5 +1,6 @@
 #include "reference/solve/stability/kind.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reference/solve/paths/singular_algebra.hpp"
 
 #include <Eigen/LU>
@@ -12,7 +13,8 @@ namespace halfway::reference {
 const char* to_string(StabilityKind kind) {
   return kind == StabilityKind::stable       ? "stable"
          : kind == StabilityKind::divergence ? "divergence"
-                                             : "flutter";
+         : kind == StabilityKind::flutter    ? "flutter"
+                                             : "unknown";
 }
 
 template <class T>
@@ -48,9 +50,10 @@ std::vector<std::complex<double>> modes(const Eigen::MatrixXd& J, const Eigen::M
 StabilityKind stability_kind(const std::vector<std::complex<double>>& modes, double rounding) {
   double largest = 0, imaginary = 0;
   for (const auto& mu : modes) {
-    largest = std::max(largest, std::abs(mu));
-    imaginary = std::max(imaginary, std::abs(mu.imag()));
+    keep_largest(largest, std::abs(mu));
+    keep_largest(imaginary, std::abs(mu.imag()));
   }
+  if (modes.empty() || std::isnan(largest)) return StabilityKind::unknown;
   if (imaginary > rounding * largest) return StabilityKind::flutter;
   return modes.front().real() > 0 ? StabilityKind::stable : StabilityKind::divergence;
 }

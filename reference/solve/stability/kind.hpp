@@ -44,13 +44,15 @@ struct Characteristic {
 template <class T>
 Characteristic<T> characteristic(const Mat3<T>& J, const BodyInertia& body, const Mat3<T>& R);
 
-enum class StabilityKind { stable, divergence, flutter };
+enum class StabilityKind { stable, divergence, flutter, unknown };  ///< unknown: of what is no number
 const char* to_string(StabilityKind kind);
 
 /// Of three rotations by signs alone: exact where they are.
 template <class T>
 StabilityKind stability_kind(const Characteristic<T>& c) {
-  if (c.discriminant() < T(0)) return StabilityKind::flutter;
+  const T d = c.discriminant();
+  if (!(d == d)) return StabilityKind::unknown;
+  if (d < T(0)) return StabilityKind::flutter;
   return c.positive() ? StabilityKind::stable : StabilityKind::divergence;
 }
 

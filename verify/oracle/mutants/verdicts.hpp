@@ -13,11 +13,15 @@
 
 namespace halfway::verify {
 
+/// Under a gross saboteur the wrong twin is healed: the check of a mutant has to fail then.
+inline bool is_healed() { return tap_state().tap == Tap::gross; }
+
 /// A mutant is caught when its defect exceeds the limit that the healthy twin keeps 100 times over.
 inline constexpr double kMargin = 100;
 
 inline std::vector<Finding> verdicts(const std::string& name, const std::string& measure,
-                                     const Measurement& mutant, const Measurement& healthy, double limit) {
+                                     const Measurement& wrong, const Measurement& healthy, double limit) {
+  const Measurement& mutant = is_healed() ? healthy : wrong;
   // A function that returns NaN where it should not is seen as well; a measure without any probe sees
   // nothing.
   const double share = mutant.is_empty()            ? std::nan("")

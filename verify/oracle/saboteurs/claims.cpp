@@ -16,10 +16,70 @@ constexpr Overlooks kOverlooked[] = {
     {"/force_balance", {.moments = true}, "adds the forces alone"},
     {"/symmetry", {.forces = true}, "the commutator of the spins is of the moments"},
     {"/linear/modelling_error", {.forces = true}, "judges the moment of a node whose orientation is held"},
+    {"/held_orientation", {.moments = true}, "no moment turns a node whose orientation is held"},
+    {"/law_in_other_axes/second_order",
+     {.strain = true},
+     "compares rotations; strains give the energy alone"},
+    {"/nodes_exchanged/second_order", {.strain = true}, "compares rotations; strains give the energy alone"},
+    {"/frames_load_not_turned", {.strain = true}, "compares poses; strains give the energy alone"},
+    {"/frames_frame_transposed", {.strain = true}, "compares poses; strains give the energy alone"},
+    {"/frames_law_not_turned", {.strain = true}, "compares poses; strains give the energy alone"},
+    {"/frames_law_turned_on", {.strain = true}, "compares poses; strains give the energy alone"},
+    {"/long_run",
+     {.moments = true, .forces = true},
+     "kernels move the bodies; frequencies and energies are asked"},
+    {"/six_modes", {.forces = true}, "tangents have the modes, moments the load"},
+    {"/flutter_without_load", {.moments = true, .forces = true}, "judges the tangent of the forces"},
+    {"/kernel_compensated", {.tangent = true}, "compares loads; /kernel has the tangent"},
     {"/rounding_tangent", {.moments = true, .forces = true}, "compares tangents; /rounding has the loads"},
 };
 
+constexpr Shown kShown[] = {
+    {"*/linear_angular/node_order", "mutants/transposed_frame"},
+    {"*/linear_angular/node_order", "mutants/projected_with_node_a"},
+    {"*/linear_angular/moment_balance", "mutants/spin_not_transposed"},
+    {"*/linear_angular/moment_balance", "mutants/xi_for_one_minus_xi_in_moment"},
+    {"*/linear_angular/moment_balance", "mutants/offset_without_arm"},
+    {"*/linear_angular/moment_balance", "mutants/no_arm_moment"},
+    {"*/linear/energy_gradient", "mutants/eq_29_as_printed"},
+    {"*/linear/energy_gradient", "mutants/half_rate_of_halfway_frame"},
+    {"*/linear/energy_gradient", "mutants/offset_b_carried_by_a"},
+    {"*/angular/energy_gradient", "mutants/secant_of_half_angle"},
+    {"*/angular/tangent", "mutants/tangent_without_geometric_term"},
+    {"*/angular/tangent", "mutants/tangent_with_gamma_for_inverse"},
+    {"*/angular/fingerprint_alpha", "mutants/xi_for_one_minus_xi"},
+    {"*/angular/fingerprint_alpha", "mutants/log_of_transpose"},
+    {"so3/*/double", "mutants/gamma_late_threshold"},
+    {"so3/*/double", "mutants/gamma_series_sign"},
+    {"so3/*/double", "mutants/log_by_sine_near_pi"},
+    {"identities/eq_29_printed", "mutants/eq_29_as_it_should_be"},
+    {"frames/*/other_axes", "mutants/frames_load_not_turned"},
+    {"frames/*/other_axes", "mutants/frames_frame_transposed"},
+    {"frames/*/other_axes", "mutants/frames_critical_in_node_axes"},
+    {"frames/*/other_axes", "mutants/frames_inertia_left_behind"},
+    {"frames/*/law_in_other_axes", "mutants/frames_law_not_turned"},
+    {"frames/*/law_in_other_axes", "mutants/frames_law_turned_on"},
+    {"*/hinges", "mutants/solver/stiffest_entry"},
+    {"*/hinges", "mutants/solver/small_step"},
+    {"*/hinges", "mutants/solver/positions"},
+    {"fe/symmetric_body", "mutants/second_order_without_turning_face"},
+    {"fe/calculix/*/*", "mutants/calculix_moment_without_gamma"},
+    {"packaging/folds", "packaging/folds_catches"},
+    {"packaging/layering", "packaging/layering_catches"},
+    {"packaging/add_formulation", "packaging/saboteurs_caught"},
+};
+
 }  // namespace
+
+std::span<const Shown> shown_by_mutants() { return kShown; }
+
+std::vector<std::string> mutants_of(const std::string& sort) {
+  std::vector<std::string> out;
+  for (const Shown& shown : kShown) {
+    if (shown.sort == sort) out.emplace_back(shown.mutant);
+  }
+  return out;
+}
 
 Parts overlooked(const std::string& check) {
   const auto it =

@@ -1,10 +1,12 @@
 #include "verify/oracle/saboteurs/matrix.hpp"
 
 #include "verify/oracle/saboteurs/claims.hpp"
+#include "verify/oracle/saboteurs/sort.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace halfway::verify {
@@ -26,16 +28,19 @@ struct Draw {
   Row row{};
   Parts judged{};
   bool has_finite_catch = false;
+  bool has_mutant = false;
 };
 
-Draw met_the_witness(const Check& check, std::size_t at, const Trial& healthy) {
-  Draw out{at, {check.name, check.label, healthy.seen}, {}};
+Draw met_the_witness(const Check& check, const Siblings& siblings, std::size_t at, const Trial& healthy) {
+  Draw out{at, {check.name, check.label, siblings.members.size(), healthy.seen}};
+  out.row.caught = mutants_of(siblings.sort);
+  out.has_mutant = !out.row.caught.empty();
   if (healthy.outcome != Outcome::passed)
     out.row.wrong.push_back(fmt::format("healthy {}: {}", to_string(healthy.outcome), healthy.by));
   out.judged = without(healthy.seen, overlooked(check.name));
   out.has_finite_catch = !healthy.judges;  // one that only reports fails for what is no number
-  if (!out.judged.any())
-    out.row.wrong.emplace_back("looks at no formulation, and at nothing that passes a tap");
+  if (!out.judged.any() && !out.has_mutant)
+    out.row.wrong.emplace_back("looks at no formulation, at nothing that passes a tap, and has no mutant");
   return out;
 }
 
@@ -58,15 +63,33 @@ void meet(Draw& draw, const Saboteur& saboteur, const Trial& trial) {
   }
 }
 
+/// The first of its sort that judges, or else the first that is not left out.
+Draw spokesman(const Checks& checks, const Siblings& siblings, int limit, const Parts& seen) {
+  constexpr std::size_t kTried = 4;
+  std::optional<Draw> reports;
+  for (std::size_t i = 0; i < siblings.members.size() && (i < kTried || !reports); ++i) {
+    const std::size_t at = siblings.members[i];
+    const Trial healthy = run_apart(checks[at], limit, seen);
+    if (healthy.left_out) continue;
+    const Draw draw = met_the_witness(checks[at], siblings, at, healthy);
+    if (healthy.judges || healthy.outcome != Outcome::passed) return draw;
+    if (!reports) reports = draw;
+  }
+  if (reports) return *reports;
+  const Check& first = checks[siblings.members.front()];
+  Draw none{siblings.members.front(), {first.name, first.label, siblings.members.size()}};
+  none.row.left_out = "all checks of its sort are left out";
+  return none;
+}
+
 std::vector<Draw> healthy_rows(const std::function<Checks()>& make, const Sampling& sampling) {
   Parts seen;
   const reference::ScopedRegistry guard(witnessed(seen));
   const Checks checks = make();
+  const std::vector<Siblings> sorts = sorted(checks);
   std::vector<Draw> out;
-  for (std::size_t i = 0; i < checks.size(); i += std::size_t(sampling.every)) {
-    const Trial healthy = run_apart(checks[i], sampling.limit, seen);
-    if (!healthy.left_out) out.push_back(met_the_witness(checks[i], i, healthy));
-  }
+  for (std::size_t i = 0; i < sorts.size(); i += std::size_t(sampling.every))
+    out.push_back(spokesman(checks, sorts[i], sampling.limit, seen));
   return out;
 }
 
@@ -85,7 +108,7 @@ std::vector<Row> matrix(const std::function<Checks()>& make, const Sampling& sam
   }
   std::vector<Row> out;
   for (Draw& draw : draws) {
-    if (draw.judged.any() && !draw.has_finite_catch)
+    if (draw.judged.any() && !draw.has_finite_catch && !draw.has_mutant)
       draw.row.wrong.emplace_back("passed every finite saboteur");
     out.push_back(std::move(draw.row));
   }
@@ -93,12 +116,13 @@ std::vector<Row> matrix(const std::function<Checks()>& make, const Sampling& sam
 }
 
 Finding finding_of(const Row& row) {
-  const std::string caught =
+  const Draft draft = finding("saboteurs/" + row.check).about("saboteurs");
+  if (!row.left_out.empty()) return Draft(draft).left_out(row.left_out);
+  std::string where = row.wrong.empty() ? "" : fmt::format("{}; ", fmt::join(row.wrong, "; "));
+  where +=
       row.caught.empty() ? "caught by nothing" : fmt::format("caught by {}", fmt::join(row.caught, ", "));
-  const std::string where =
-      row.wrong.empty() ? caught : fmt::format("{}; {}", fmt::join(row.wrong, "; "), caught);
-  return finding("saboteurs/" + row.check)
-      .about("saboteurs")
+  if (row.siblings > 1) where += fmt::format("; it speaks for {} checks of its sort", row.siblings);
+  return Draft(draft)
       .measured(double(row.wrong.size()), where)
       .in("saboteurs missed")
       .equal(

@@ -71,11 +71,14 @@ void keep(Measurement& worst, const Measurement& m, const std::string& at) {
   worst.include(m.value(), at + ": " + m.where());
 }
 
-void compare_curves(Worst& worst, const Law& law, const Law& partner, const Scene& s,
-                    const Written& written) {
-  const CurveAnswers original = curve_answers(law, as_it_is(s, {}));
-  const CurveChanges c = changes(original, curve_answers(partner, written));
-  if (original.theta.empty()) return;  // the law does not reach the first point, in any writing
+void compare_curves(Worst& worst, const Law& law, const Law& partner, Scene s, Rewriting write,
+                    const Mat3<double>& H) {
+  CurveAnswers original = curve_answers(law, as_it_is(s, H));
+  if (original.theta.empty()) {  // it carries less than the first point
+    s.factor_end /= 100;
+    original = curve_answers(law, as_it_is(s, H));
+  }
+  const CurveChanges c = changes(original, curve_answers(partner, write(s, H)));
   keep_largest(worst.condition, original.condition);
   keep(worst.curve, c.pose, s.name);
   keep(worst.energy, c.energy, s.name);
@@ -162,7 +165,7 @@ std::vector<Finding> in_writing(const Entry& entry, const Writing& writing) {
     for (const Scene& s : all_scenes()) {
       const auto other = partner_of(s.joint.kind);
       if (!other || !accepts_law(entry, s.joint)) continue;
-      compare_curves(worst, law, *other, s, writing.write(s, H));
+      compare_curves(worst, law, *other, s, writing.write, H);
     }
     for (const Scene& s : arc_scenes())
       keep(worst.arc, change(arc_answers(law, as_it_is(s, H)), arc_answers(partner, writing.write(s, H))),

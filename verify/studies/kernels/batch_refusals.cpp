@@ -1,11 +1,13 @@
 // What is wrong with a batch or a plan is said by name: joint, field and value.
 #include "halfway/batch/plan.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/kernels/batch.hpp"
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace halfway::verify {
@@ -20,10 +22,8 @@ int silent(const Call& call, std::initializer_list<const char*> words) {
   try {
     call();
   } catch (const std::invalid_argument& error) {
-    for (const char* word : words) {
-      if (std::strstr(error.what(), word) == nullptr) return 1;
-    }
-    return 0;
+    const std::string message = tapped(std::string(error.what()));
+    return std::ranges::any_of(words, [&](const char* word) { return message.find(word) == message.npos; });
   }
   return 1;
 }

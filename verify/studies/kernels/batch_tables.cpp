@@ -80,7 +80,7 @@ batch::End<T> end_of(const JointEnd<double>& e) {
 
 }  // namespace
 
-std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
+std::vector<BatchJoint> unsolved_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
   reference::Generator g(512);
   const auto laws = probes(entry, kind, 8, 1);
   std::vector<BatchJoint> out;
@@ -100,9 +100,14 @@ std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, boo
     if (single) {
       for (JointEnd<double>* e : {&j.spec.a, &j.spec.b}) e->o = e->o.cast<float>().cast<double>();
     }
-    solve(entry, j);
     out.push_back(j);
   }
+  return out;
+}
+
+std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
+  std::vector<BatchJoint> out = unsolved_joints(entry, kind, law, ends, single);
+  for (BatchJoint& j : out) solve(entry, j);
   return out;
 }
 
@@ -190,7 +195,7 @@ Finding counted(const std::string& name, double wrong, const std::string& reason
 const Entry& invariant() { return *reference::find_formulation("invariant"); }
 
 std::vector<BatchJoint> repeated(Kind kind, int count) {
-  const auto some = batch_joints(invariant(), kind, batch::Law::linear, true, false);
+  const auto some = unsolved_joints(invariant(), kind, batch::Law::linear, true, false);
   std::vector<BatchJoint> out;
   for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
   return out;

@@ -140,10 +140,11 @@ LoadMap BasinMaps::map(NewtonTangent tangent) const {
   return out;
 }
 
-StartMap starts(const Entry& entry, int resolution) {
+StartMap starts(const Entry& entry, double moment, int resolution) {
   Scene scene = read_scene(scenes_folder() / "c3_buckling.toml");
   const EquilibriumProblem<double> problem(scene, entry, entry.probe_xi);
   StartMap out;
+  out.moment = moment;
   out.resolution = resolution;
   const auto index_of = [&](const Pose<double>& b) {
     for (std::size_t i = 0; i < out.equilibria.size(); ++i) {
@@ -154,7 +155,7 @@ StartMap starts(const Entry& entry, int resolution) {
   };
   Path<double> path(scene, entry, entry.probe_xi);
   for (int k = 1; k <= scene.points && path.state().status == Status::converged; ++k)
-    path.advance(kStartMoment * k / scene.points);
+    path.advance(moment * k / scene.points);
   out.has_branch = path.state().status == Status::converged;
   if (out.has_branch) index_of(path.state().joint);
   const auto component = [&](int i) { return std::numbers::pi * (2.0 * i / (resolution - 1) - 1); };
@@ -162,8 +163,7 @@ StartMap starts(const Entry& entry, int resolution) {
     for (int j = 0; j < resolution; ++j) {
       Pose<double> start = problem.start();
       start.R = so3::exp<double>({component(i), component(j), 0}) * start.R;
-      const auto run =
-          plain_newton(problem, NewtonTangent::analytic, start, kStartMoment, kMostBasinIterations);
+      const auto run = plain_newton(problem, NewtonTangent::analytic, start, moment, kMostBasinIterations);
       const int index = run.end == NewtonEnd::converged ? index_of(run.poses.back()) : -1;
       if (index >= 0) ++out.equilibria[std::size_t(index)].cells;
       out.cells.push_back(index);
@@ -190,9 +190,9 @@ const LoadMap& load_map(const Entry& entry, const LoadGrid& grid, NewtonTangent 
                [&] { return maps(entry, grid.name, [&] { return BasinMaps(grid, entry); }).map(tangent); });
 }
 
-const StartMap& start_map(const Entry& entry) {
-  static verify::Once<StartMap> known;
-  return known(entry, [&] { return starts(entry, verify::by_effort(41, 9)); });
+const StartMap& start_map(const Entry& entry, double moment) {
+  static verify::Once<StartMap, double> known;
+  return known(entry, moment, [&] { return starts(entry, moment, verify::by_effort(41, 9)); });
 }
 
 }  // namespace halfway::reference

@@ -60,6 +60,7 @@ struct StartMap {
     Vec3<double> theta;  ///< rotation vector of node b, rad
     int cells = 0;       ///< that converge to it
   };
+  double moment = 0;  ///< N m
   int resolution = 0;
   std::vector<int> cells;               ///< index of the equilibrium, or -1; by component 1, then 2
   std::vector<Equilibrium> equilibria;  ///< the continuous branch first, where there is one
@@ -69,7 +70,7 @@ struct StartMap {
 /// N m, along C3's load: beyond the critical moment of most laws of the block.
 inline constexpr double kStartMoment = 1000;
 
-/// With the analytic tangent, under kStartMoment; 41 starts each way. Computed once.
-const StartMap& start_map(const Entry& entry);
+/// With the analytic tangent, under a moment (N m); 41 starts each way. Computed once.
+const StartMap& start_map(const Entry& entry, double moment);
 
 }  // namespace halfway::reference

@@ -2,6 +2,7 @@
 // scene files: each is read, or refused with its line.
 #include "reference/solve/solve.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/limits/random_scene.hpp"
 #include "verify/studies/limits/random_scene_text.hpp"
 
@@ -140,7 +141,7 @@ std::string fault(const std::filesystem::path& file) {
                        std::ranges::all_of(scene.loads, [](const auto& l) { return l.value.allFinite(); });
     return sound ? "" : "read, but it holds no finite load";
   } catch (const SceneError& error) {
-    const std::string message = error.what(), head = file.string() + ":";
+    const std::string message = tapped(std::string(error.what())), head = file.string() + ":";
     const bool has_line =
         message.starts_with(head) && std::isdigit(static_cast<unsigned char>(message[head.size()]));
     return has_line && message.find("; allowed: ") != std::string::npos

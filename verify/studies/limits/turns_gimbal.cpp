@@ -50,7 +50,8 @@ std::vector<Gimbal> found(const Entry& entry) {
     };
     Gimbal g{std::string(entry.name), sequence_name(s), growth(far.m_b, near.m_b),
              growth(far.m_b_wb, near.m_b_wb)};
-    if (!(g.tangent_order > 0.5)) continue;
+    if (g.tangent_order <= 0.5 && g.load_order <= 0.5)
+      continue;                                          // what is no number has not been seen to stay
     for (int quarter = -4; quarter >= -64; --quarter) {  // of a decade: 0.1 to 1e-16 rad
       g.distance.push_back(std::pow(10., quarter / 4.));
       g.error.push_back(error_in_double(entry, before_lock(s, Real50(g.distance.back()))));

@@ -4,6 +4,7 @@
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/potentials.hpp"
 #include "verify/oracle/findings.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ std::vector<Finding> spring() {
     const auto wrapped = relative_motion<double>(turned(phi), Vec3<double>::Zero());
     const auto step = rotation.tried(wrapped.q);
     rotation.commit(step);
-    const Vec3<double> m = AttachedA{}.angular<false>(unwrapped_motion(wrapped, step), law).m;
+    const Vec3<double> m = tapped(AttachedA{}.angular<false>(unwrapped_motion(wrapped, step), law).m);
     moment.include((m - phi * Kn).norm() / (phi * Kn.norm()), fmt::format("phi = {:.4g} rad", phi));
     work += h * (last + n.dot(m)) / 2;  // exact for a linear law
     last = n.dot(m);
@@ -71,7 +72,9 @@ AngularResponse<T> wound_response(const F& formulation, const UnwrappedRotation<
                                   const Mat3<T>& R) {
   const LinearLaw<T, 3> law{Mat3<T>(Vec3<T>(T(2), T(3), T(7)).asDiagonal())};
   const auto wrapped = relative_motion<T>(R, Vec3<T>::Zero());
-  return formulation.template angular<true>(unwrapped_motion(wrapped, rotation.tried(wrapped.q)), law);
+  auto out = formulation.template angular<true>(unwrapped_motion(wrapped, rotation.tried(wrapped.q)), law);
+  out.m = tapped(out.m), out.m_psi = tapped(out.m_psi);
+  return out;
 }
 
 template <class F>

@@ -26,10 +26,10 @@ Finding limited(const std::string& name, double value, double limit, Oracle orac
 double distance(const State& s, const State& t) {
   double out = 0;
   for (std::size_t i = 0; i < 2; ++i) {
-    keep_largest(out, (s[i].x - t[i].x).norm());
-    keep_largest(out, (d::orientation(s[i].q) - d::orientation(t[i].q)).norm());
-    keep_largest(out, (s[i].p - t[i].p).norm());
-    keep_largest(out, (s[i].L - t[i].L).norm());
+    keep_largest(out, (tapped(s[i].x) - t[i].x).norm());
+    keep_largest(out, (tapped(d::orientation(s[i].q)) - d::orientation(t[i].q)).norm());
+    keep_largest(out, (tapped(s[i].p) - t[i].p).norm());
+    keep_largest(out, (tapped(s[i].L) - t[i].L).norm());
   }
   return out;
 }
@@ -101,7 +101,7 @@ Finding harmonic(bool translation, bool splitting) {
   else
     end = d::runge_kutta(system, s.start, kTime, 1e-14).state;
   const auto& q = end[1].q;
-  const double value = translation ? end[1].x[0] : 2 * std::atan2(q[3], q[0]);
+  const double value = tapped(translation ? end[1].x[0] : 2 * std::atan2(q[3], q[0]));
   return limited(
       fmt::format("harmonic/{}/{}", translation ? "translation" : "rotation",
                   splitting ? "splitting" : "runge_kutta"),

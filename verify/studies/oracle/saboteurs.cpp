@@ -1,6 +1,10 @@
 // Every check proves that it can fail: the suite's own checks against sabotaged formulations.
 #include "verify/effort.hpp"
+#include "verify/oracle/saboteurs/claims.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"
+#include "verify/oracle/saboteurs/sort.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,26 +15,24 @@
 namespace halfway::verify {
 namespace {
 
-/// The half-way form, a conservative one, one with a free xi and another program's.
-constexpr std::string_view kRepresentatives[] = {"invariant", "conformal", "intrinsic", "drake_rpy"};
-
-/// The rooms whose checks were all seen to fail for what they judge: another one joins by its name here.
-constexpr const char* kRooms[] = {"joints"};
-
-/// Is the check about another formulation than these?
-bool is_about_others(const std::string& check) {
-  for (const auto& entry : reference::catalogued()) {
-    const bool is_named = ("/" + check + "/").find("/" + std::string(entry.name) + "/") != std::string::npos;
-    if (is_named && std::ranges::find(kRepresentatives, entry.name) == std::end(kRepresentatives))
-      return true;
+/// Each room of checks.def, once.
+std::vector<std::string> rooms() {
+  std::vector<std::string> out;
+  for (const char* room : {
+#define HALFWAY_CHECK(room, function) #room,
+#include "verify/checks.def"
+#undef HALFWAY_CHECK
+       }) {
+    if (std::ranges::find(out, room) == out.end()) out.emplace_back(room);
   }
-  return false;
+  return out;
 }
 
+/// Without those of this file: what they have to see is in self().
 Checks of_room(const std::string& room) {
   Checks checks = all_checks();
   std::erase_if(checks, [&](const Check& check) {
-    return check.label != room || check.name.starts_with("saboteurs/") || is_about_others(check.name);
+    return check.label != room || check.name.starts_with("saboteurs/");
   });
   return checks;
 }
@@ -77,6 +79,38 @@ Finding seen(const std::string& what, const Row& row, std::string_view wrong) {
       .by(Oracle::independent);
 }
 
+bool is_of_another_tool(std::string_view check) { return check.starts_with("packaging/"); }
+
+/// What claims.cpp names: mutants that are checks of the suite, of sorts that the suite has.
+Finding claims_are_checks() {
+  const Checks checks = all_checks();
+  int missing = 0;
+  std::string which;
+  const auto look_for = [&](std::string_view name, auto projection) {
+    if (std::ranges::find(checks, name, projection) != checks.end()) return;
+    ++missing;
+    which += fmt::format("{}{}", which.empty() ? "" : ", ", name);
+  };
+  for (const Shown& shown : shown_by_mutants()) {
+    if (is_of_another_tool(shown.sort)) continue;
+    look_for(shown.mutant, &Check::name);
+    look_for(shown.sort, [](const Check& check) { return sort_of(check.name); });
+  }
+  return finding("saboteurs/self/claims_are_checks")
+      .about("saboteurs")
+      .measured(missing, which)
+      .equal(0, 0, "a mutant that is gone claims nothing")
+      .by(Oracle::independent);
+}
+
+Finding green(const std::string& what, const Row& row, const std::string& why) {
+  return finding("saboteurs/self/" + what)
+      .about("saboteurs")
+      .measured(double(row.wrong.size()), finding_of(row).parameter)
+      .equal(0, 0, why)
+      .by(Oracle::independent);
+}
+
 /// Checks that no suite should have, each registered here alone.
 std::vector<Finding> self() {
   const auto is_nan = [] { return std::isnan(moment()); };
@@ -102,13 +136,11 @@ std::vector<Finding> self() {
                         return passing(std::abs(moment() - healthy) * 1e9);
                       }),
                "hung moments_nan"),
-          finding("saboteurs/self/sound")
-              .about("saboteurs")
-              .measured(
-                  double(row_of("dummies/sound", [=] { return passing(std::abs(moment() - healthy) * 1e9); })
-                             .wrong.size()))
-              .equal(0, 0, "a check that sees both stays green")
-              .by(Oracle::independent)};
+          green("sound", row_of("dummies/sound", [=] { return passing(std::abs(moment() - healthy) * 1e9); }),
+                "a check that sees both stays green"),
+          green("mutant_is_enough", row_of("identities/eq_29_printed", [] { return passing(0); }),
+                "a check that looks at nothing stays green where a mutant makes its measurement"),
+          claims_are_checks()};
 }
 
 }  // namespace
@@ -122,12 +154,17 @@ const std::vector<Row>& rows_of_room(const std::string& room) {
 std::vector<Row> computed_rows() {
   std::vector<Row> out;
   for (const auto& [room, rows] : tables()) out.insert(out.end(), rows.begin(), rows.end());
+  for (const Shown& shown : shown_by_mutants()) {
+    if (is_of_another_tool(shown.sort))
+      out.push_back(
+          {.check = std::string(shown.sort), .room = "packaging", .caught = {std::string(shown.mutant)}});
+  }
   return out;
 }
 
 void saboteurs(Checks& checks) {
-  for (const char* room : kRooms)
-    checks.push_back({std::string("saboteurs/") + room, "oracle", [room] { return findings_of_room(room); }});
+  for (const std::string& room : rooms())
+    checks.push_back({"saboteurs/" + room, "oracle", [room] { return findings_of_room(room); }});
   checks.push_back({"saboteurs/self", "oracle", self});
 }
 

@@ -36,7 +36,8 @@ Finding first_singular(const Entry& entry, const reference::Scene& s, const Equi
   if (expected && double(expected->moment) > s.factor_end) expected.reset();
   f.by(Oracle::independent);
   if (!expected)
-    return f.measured(double(primary.singular.size()), primary.outcome)
+    return f
+        .measured(primary.points.size() < 2 ? std::nan("") : double(primary.singular.size()), primary.outcome)
         .in("singular points")
         .at_most(
             0, "the determinant has no zero below pi and the whole load: nothing must be found on the path");

@@ -1,7 +1,6 @@
 // Broken scene files: each must be refused, and the message must name file, line and key. One good
 // text is broken in one place at a time; "#!" marks the line that the message must name.
 #include "verify/check.hpp"
-#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/temporary_scene.hpp"
 
 #include <fmt/format.h>

@@ -93,7 +93,7 @@ std::vector<Finding> fits() {
     Measurement worst;
     for (std::size_t i = 0; i < 5; ++i) {
       const double kept = fe::kTable4[i] * (1 + family.at("residuals").at(i).get<double>());
-      worst.include(std::abs(live.data[i] / kept - 1), fmt::format("datum {}", i));
+      worst.include(std::abs(tapped(live.data[i]) / kept - 1), fmt::format("datum {}", i));
     }
     out.push_back(
         solid_finding("bearing/fit/" + family.at("name").get<std::string>())
@@ -123,7 +123,7 @@ std::vector<Finding> directions() {
                         false};
     const auto e = statics.solve(fe::Law::cauchy_log, load, solid.unloaded());
     if (!e.converged) throw std::runtime_error(e.reason);
-    quotient.include(e.theta()[2] / (load.f[0] * load.f[1]));
+    quotient.include(tapped(e.theta()[2]) / (load.f[0] * load.f[1]));
   }
   const double low = quotient.low(), high = quotient.high();
   return {solid_finding("bearing/direction_of_force")
@@ -144,7 +144,7 @@ std::vector<Finding> spread() {
     Extent xi;
     for (const auto& scan : kept_bearing().at("scans")) {
       if (!scan.at("admissible").get<bool>()) continue;
-      xi.include(scan.at("xi").at(to_string(law)).get<double>());
+      xi.include(tapped(scan.at("xi").at(to_string(law)).get<double>()));
     }
     const std::string where =
         fmt::format("xi from {:.3f} to {:.3f}; printed {}", xi.low(), xi.high(),

@@ -4,8 +4,11 @@
 #include "verify/oracle/scene_access.hpp"
 #include "verify/oracle/worst.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace halfway::verify {
 namespace {
@@ -31,6 +34,14 @@ const CriticalLoads& critical_loads(const Entry& entry, int axis, const MomentSe
   static Once<CriticalLoads, int, std::string, std::string> known;
   return known(entry, axis, to_string(setting), body.name,
                [&] { return primary_path(entry, axis).critical(setting, body); });
+}
+
+const CriticalLoads& begun_loads(const Entry& entry, int axis, const MomentSetting& setting,
+                                 const BodyInertia& body) {
+  const CriticalLoads& out = critical_loads(entry, axis, setting, body);
+  if (out.end_angle > 0) return out;
+  throw std::runtime_error(
+      fmt::format("{} has no path about axis {}: it ends where it begins", entry.name, axis + 1));
 }
 
 BlockModes block_modes(const Entry& entry, int axis, const MomentSetting& setting, const BodyInertia& body,

@@ -25,6 +25,12 @@ const reference::CriticalLoads& critical_loads(const reference::Entry& entry, in
                                                const reference::MomentSetting& setting,
                                                const reference::BodyInertia& body);
 
+/// The same for a check. Throws where the path ends as it begins: loads that are no number at the unstrained
+/// pose would else pass for those of a joint that never becomes unstable.
+const reference::CriticalLoads& begun_loads(const reference::Entry& entry, int axis,
+                                            const reference::MomentSetting& setting,
+                                            const reference::BodyInertia& body);
+
 /// Of small motions round one state on the way there.
 struct BlockModes {
   double load = 0, angle = 0;        ///< N m, rad

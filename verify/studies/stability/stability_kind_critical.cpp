@@ -3,6 +3,7 @@
 #include "reference/solve/buckling.hpp"
 #include "reference/solve/stability/critical_zeros.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/scene_access.hpp"
 #include "verify/studies/stability/block_loads.hpp"
 
@@ -18,7 +19,7 @@ using namespace reference;
 Finding zero(const std::string& what, const std::optional<Real50>& found, const Real50& expected) {
   return finding("stability_kind/zeros/" + what)
       .about("stability_kind")
-      .measured(found ? double(abs(*found - expected)) : std::nan(""))
+      .measured(found ? double(abs(tapped(*found) - expected)) : std::nan(""))
       .in("rad")
       .at_most(1e-41, "the search ends at steps of 1e-42 rad")
       .by(Oracle::closed_form);
@@ -51,7 +52,7 @@ std::vector<Finding> c3_values() {
   for (const SceneReference& r : s.references) {
     if (r.output != "critical_moment") continue;
     const Entry& entry = *find_formulation(r.formulation);
-    const auto& found = critical_loads(entry, s.critical_axis - 1, kFixed, kRound);
+    const auto& found = begun_loads(entry, s.critical_axis - 1, kFixed, kRound);
     const double expected = r.none ? 0 : double(Real50(r.value.c_str()));
     out.push_back(
         finding("stability_kind/c3/" + r.formulation)
@@ -71,7 +72,7 @@ Finding second_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   std::string without;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& ours = critical_loads(entry, axis, kFixed, kRound);
+    const auto& ours = begun_loads(entry, axis, kFixed, kRound);
     std::optional<Critical> theirs;
     if (const auto found = first_buckling(entry, block_joint(entry), axis)) {
       if (double(found->angle) < ours.end_angle) theirs = Critical{found->moment, found->angle};
@@ -123,7 +124,7 @@ Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
     for (const MomentSetting& setting : kMomentSettings) {
-      const auto& c = critical_loads(entry, axis, setting, kLong);
+      const auto& c = begun_loads(entry, axis, setting, kLong);
       const auto found = by_eigenvalues(entry, axis, setting, kLong, c.end_angle);
       const auto& first = c.first() == StabilityKind::flutter ? c.flutter : c.divergence;
       const double expected = first ? double(first->angle) : 0;

@@ -21,7 +21,7 @@ MotionRequest request_of(const Entry& entry) {
 
 /// Where flutter begins, if it is the first instability: beyond a divergence motions leave in another way.
 std::optional<double> flutter_angle(const MotionRequest& r) {
-  const auto& c = critical_loads(*r.entry, r.axis, r.setting, r.body);
+  const auto& c = begun_loads(*r.entry, r.axis, r.setting, r.body);
   if (c.first() != StabilityKind::flutter) return std::nullopt;
   return double(c.flutter->angle);
 }

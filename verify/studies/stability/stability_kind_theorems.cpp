@@ -27,8 +27,8 @@ Finding fixed_is_follower(const Entry& entry, Kind kind, Draft f) {
   Listed different;
   for (int axis = 0; axis < 3; ++axis) {
     for (const BodyInertia& body : kBlockBodies) {
-      const auto &fixed = critical_loads(entry, axis, kFixed, body),
-                 &follower = critical_loads(entry, axis, kFollower, body);
+      const auto &fixed = begun_loads(entry, axis, kFixed, body),
+                 &follower = begun_loads(entry, axis, kFollower, body);
       if (same(fixed.divergence, follower.divergence) && same(fixed.flutter, follower.flutter)) continue;
       different.add("axis " + std::to_string(axis + 1) + " (" + body.name + ")");
     }
@@ -46,7 +46,7 @@ Finding flutter_condition(const Entry& entry, Kind kind, Draft f) {
   if (!entry.has_potential(kind)) return f.left_out("the condition holds for loads that have a potential");
   Measurement worst;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& c = critical_loads(entry, axis, kFixed, kRound);
+    const auto& c = begun_loads(entry, axis, kFixed, kRound);
     if (!c.flutter) continue;
     const auto p = loaded_state<Real50>(entry, block_joint(entry), axis, kFixed, c.flutter->angle);
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -66,7 +66,7 @@ Finding flutter_under_couples(const Entry& entry, Kind kind, Draft f) {
     for (const MomentSetting& setting : kMomentSettings) {
       if (!moment_potential<double>({setting.type, axis, 0}, 1, Mat3<double>::Identity())) continue;
       for (const BodyInertia& body : kBlockBodies) {
-        if (!critical_loads(entry, axis, setting, body).flutter) continue;
+        if (!begun_loads(entry, axis, setting, body).flutter) continue;
         flutter.add(std::string(to_string(setting)) + " about " + std::to_string(axis + 1) + " (" +
                     body.name + ")");
       }
