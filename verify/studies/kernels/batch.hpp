@@ -47,7 +47,7 @@ Finding counted(const std::string& name, double wrong, const std::string& reason
 
 const Entry& invariant();
 
-/// Many joints of `invariant`: those with 50 digits, over and over.
+/// Many joints of `invariant`, in the poses of batch_joints over and over; not solved at 50 digits.
 std::vector<BatchJoint> repeated(Kind kind, int count);
 BatchTables<double> tables_of(const std::vector<BatchJoint>& joints, batch::Output output);
 
