@@ -7,10 +7,14 @@
 
 namespace halfway::verify {
 
-const reference::Scene& scene(const std::string& name) {
+const std::vector<reference::Scene>& scenes() {
   static const std::vector<reference::Scene> all = reference::canonical_scenes();
-  const auto it = std::ranges::find(all, name, &reference::Scene::name);
-  if (it == all.end()) throw std::runtime_error("there is no canonical scene " + name);
+  return all;
+}
+
+const reference::Scene& scene(const std::string& name) {
+  const auto it = std::ranges::find(scenes(), name, &reference::Scene::name);
+  if (it == scenes().end()) throw std::runtime_error("there is no canonical scene " + name);
   return *it;
 }
 

@@ -8,6 +8,9 @@
 
 namespace halfway::verify {
 
+/// The canonical scenes, read once.
+const std::vector<reference::Scene>& scenes();
+
 /// The canonical scene of that name; throws std::runtime_error when it is missing.
 const reference::Scene& scene(const std::string& name);
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "reference/numbers/random.hpp"
+#include "verify/effort.hpp"
 #include "verify/oracle/measures.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 
@@ -32,7 +33,7 @@ inline std::vector<Vec3<Real50>> directions() {
   std::vector<Vec3<double>> raw = {{1, 0, 0},  {0, 1, 0},  {0, 0, -1},   {1, 1, 0},
                                    {1, -1, 1}, {0, 1, -1}, {1, 1e-8, 0}, {-1e-3, 2e-5, 1}};
   reference::Generator g(2011);
-  for (int i = 0; i < 6; ++i) raw.push_back(g.vector(1));
+  for (int i = 0; i < by_effort(6, 1); ++i) raw.push_back(g.vector(1));
   std::vector<Vec3<Real50>> out;
   for (const auto& v : raw) out.push_back(Vec3<Real50>(v.cast<Real50>().normalized()));
   return out;
@@ -41,13 +42,13 @@ inline std::vector<Vec3<Real50>> directions() {
 /// Every decade, the neighbourhood of pi, and both sides of every switch below pi.
 inline std::vector<std::pair<Real50, std::string>> angles() {
   std::vector<std::pair<Real50, std::string>> out;
-  for (int decade = -16; decade <= 0; ++decade) {
+  for (int decade = -16; decade <= 0; decade += by_effort(1, 4)) {
     for (const char* mantissa : {"1", "2.3", "6.1"}) {
       const std::string text = fmt::format("{}e{}", mantissa, decade);
       if (Real50(text.c_str()) < reference::pi50()) out.emplace_back(Real50(text.c_str()), text);
     }
   }
-  for (int k = 1; k <= 12; ++k) {
+  for (int k = 1; k <= 12; k += by_effort(1, 4)) {
     const std::string gap = fmt::format("1e-{}", k);
     out.emplace_back(reference::pi50() - Real50(gap.c_str()), "pi - " + gap);
   }

@@ -19,12 +19,9 @@ struct BatchJoint {
   double scale = 0;      ///< |K| |strain|, what an error of the loads is relative to
 };
 
-/// 40 joints, without their loads: phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.
+/// 40 joints with their loads: phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.
 /// @param single  poses rounded to float, and none nearer to pi than float can tell
 /// @param ends  third turns and offsets of order one on both nodes; else none
-std::vector<BatchJoint> unsolved_joints(const Entry& entry, Kind kind, batch::Law law, bool ends,
-                                        bool single);
-/// The same with their loads.
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::Law law, bool ends, bool single);
 
 /// The tables of some joints, and of their results.
@@ -50,7 +47,7 @@ Finding counted(const std::string& name, double wrong, const std::string& reason
 
 const Entry& invariant();
 
-/// Many joints of `invariant`, without their loads: the 40, over and over.
+/// Many joints of `invariant`, in the poses of batch_joints over and over; not solved at 50 digits.
 std::vector<BatchJoint> repeated(Kind kind, int count);
 BatchTables<double> tables_of(const std::vector<BatchJoint>& joints, batch::Output output);
 

@@ -1,3 +1,5 @@
+#include "verify/effort.hpp"
+#include "verify/once.hpp"
 #include "verify/oracle/poles.hpp"
 #include "verify/studies/kernels/batch.hpp"
 
@@ -13,8 +15,8 @@ using batch::Columns, batch::Law, batch::Output;
 /// 0, the decades from 1e-3, both sides of every third of a turn, and toward pi.
 std::vector<double> angles(bool single) {
   std::vector<double> out{0, 0};
-  for (int i = 0; i < 26; ++i) out.push_back(1e-3 * std::pow(3.1e3, i / 25.0));
-  for (int decade = -1; decade >= -12; --decade) {
+  for (int i = 0; i < 26; i += by_effort(1, 6)) out.push_back(1e-3 * std::pow(3.1e3, i / 25.0));
+  for (int decade = -1; decade >= -12; decade -= by_effort(1, 5)) {
     out.push_back(std::numbers::pi - std::max(std::pow(10.0, decade), single ? 1e-4 : 0.0));
   }
   return out;
@@ -42,10 +44,24 @@ double stiffness(const BatchJoint& j) {
 /// The relative quaternion is a difference of products: 4 eps are lost whatever the angle.
 constexpr double kPlain = 4 * std::numeric_limits<double>::epsilon() / 5e-15;
 
+/// The same for all kinds that turn, and for any law.
+const std::vector<double>& steepnesses(const Entry& entry, const std::vector<BatchJoint>& joints, bool ends,
+                                       bool single) {
+  static Once<std::vector<double>, bool, bool> known;
+  return known(entry, ends, single, [&] {
+    std::vector<double> out;
+    for (const BatchJoint& j : joints) {
+      JointSpec angular = j.spec;
+      angular.kind = Kind::angular;
+      out.push_back(steepness(entry, angular, reference::exact_pose(j.a), reference::exact_pose(j.b)));
+    }
+    return out;
+  });
+}
+
 void solve(const Entry& entry, BatchJoint& j) {
   const auto a = reference::exact_pose(j.a), b = reference::exact_pose(j.b);
   j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
-  j.steepness = steepness(entry, j.spec, a, b);
   const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
   const double loads = double(largest_entry<Real50>(j.exact.q));
   j.scale = larger(stiffness(j) * larger(strain, kPlain), loads);
@@ -78,15 +94,14 @@ batch::End<T> end_of(const JointEnd<double>& e) {
   return {{T(e.o[0]), T(e.o[1]), T(e.o[2])}, {T(q.w), T(q.v[0]), T(q.v[1]), T(q.v[2])}};
 }
 
-}  // namespace
-
-std::vector<BatchJoint> unsolved_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
-  reference::Generator g(512);
+/// Nothing solved yet. Laws have a generator of their own, so that all kinds and laws are in the same poses.
+std::vector<BatchJoint> posed(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
+  reference::Generator g(512), of_law(513);
   const auto laws = probes(entry, kind, 8, 1);
   std::vector<BatchJoint> out;
   for (const double phi : angles(single)) {
     BatchJoint j{laws[out.size() % laws.size()].spec, {}, {}, phi};
-    j.spec.law = law_of(j.spec.law, law, g);
+    j.spec.law = law_of(j.spec.law, law, of_law);
     j.spec.a = j.spec.b = {};
     if (ends) {
       j.spec.a = {{0.3, -0.2, 0.1}, reference::third_of_turn(1)};
@@ -105,9 +120,14 @@ std::vector<BatchJoint> unsolved_joints(const Entry& entry, Kind kind, Law law, 
   return out;
 }
 
+}  // namespace
+
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
-  std::vector<BatchJoint> out = unsolved_joints(entry, kind, law, ends, single);
+  std::vector<BatchJoint> out = posed(entry, kind, law, ends, single);
   for (BatchJoint& j : out) solve(entry, j);
+  if (kind == Kind::linear) return out;
+  const std::vector<double>& steep = steepnesses(entry, out, ends, single);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].steepness = steep[i];
   return out;
 }
 
@@ -195,7 +215,7 @@ Finding counted(const std::string& name, double wrong, const std::string& reason
 const Entry& invariant() { return *reference::find_formulation("invariant"); }
 
 std::vector<BatchJoint> repeated(Kind kind, int count) {
-  const auto some = unsolved_joints(invariant(), kind, batch::Law::linear, true, false);
+  const auto some = posed(invariant(), kind, batch::Law::linear, true, false);
   std::vector<BatchJoint> out;
   for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
   return out;

@@ -1,6 +1,7 @@
 // Ten thousand random scenes: each ends in equilibrium or with a named reason. And five hundred random
 // scene files: each is read, or refused with its line.
 #include "reference/solve/solve.hpp"
+#include "verify/effort.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/limits/random_scene.hpp"
@@ -23,8 +24,9 @@ using reference::Entry;
 using reference::RandomScene;
 using reference::SceneError;
 
-constexpr int kScenes = 600;  // of each formulation: more than 10 000 with the seventeen of the catalog
-constexpr int kNamed = 25;    // every so many also as a curve, for its sentence
+const int kScenes =
+    by_effort(600, 50);     // of each formulation: more than 10 000 with the seventeen of the catalog
+constexpr int kNamed = 25;  // every so many also as a curve, for its sentence
 constexpr int kTexts = 500;
 
 struct Tally {
@@ -94,9 +96,16 @@ constexpr std::pair<std::string_view, int> kConverged[] = {
 constexpr int kFewest = 373;  ///< of a formulation that is not in the table
 constexpr int kEdge = 12;     ///< scenes at a limit point: rounding says whether they arrive
 
-double least_share(const Entry& entry) {
+/// Of all scenes: fewer have a share of their own, which is only shown.
+Finding converged_share(const Entry& entry, const Tally& tally, const std::string& ends) {
   const auto* kept = std::ranges::find(kConverged, entry.name, &std::pair<std::string_view, int>::first);
-  return double((kept == std::end(kConverged) ? kFewest : kept->second) - kEdge) / kScenes;
+  Draft f = of_scenes(entry, "converged")
+                .measured(double(tally.ends[0]) / kScenes, ends)
+                .in("share of the scenes")
+                .by(Oracle::kept);
+  if (by_effort(1, 0) == 0) return f.reported("the kept share is of all scenes");
+  return f.at_least(double((kept == std::end(kConverged) ? kFewest : kept->second) - kEdge) / kScenes,
+                    "as many as ever, but for 2 % of the scenes that stand at a limit point");
 }
 
 std::vector<Finding> solved(const Entry& entry) {
@@ -111,12 +120,7 @@ std::vector<Finding> solved(const Entry& entry) {
           .in("scenes")
           .at_most(0, "every scene ends with finite numbers and one of four named ends")
           .by(Oracle::closed_form),
-      of_scenes(entry, "converged")
-          .measured(double(tally.ends[0]) / kScenes, ends)
-          .in("share of the scenes")
-          .at_least(least_share(entry),
-                    "as many as ever, but for 2 % of the scenes that stand at a limit point")
-          .by(Oracle::kept),
+      converged_share(entry, tally, ends),
       of_scenes(entry, "estimate")
           .measured(tally.estimate)
           .in("of the estimated error")

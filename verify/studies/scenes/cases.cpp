@@ -2,7 +2,7 @@
 // node order exchanged (C8) and in a turned global frame.
 #include "reference/solve/path.hpp"
 #include "reference/solve/solve.hpp"
-#include "verify/check.hpp"
+#include "verify/oracle/scene_access.hpp"
 
 #include <fmt/format.h>
 
@@ -120,7 +120,7 @@ void add_scene(Checks& checks, const Scene& scene) {
 }  // namespace
 
 void cases(Checks& checks) {
-  for (const Scene& scene : reference::canonical_scenes()) add_scene(checks, scene);
+  for (const Scene& scene : scenes()) add_scene(checks, scene);
 }
 
 }  // namespace halfway::verify
