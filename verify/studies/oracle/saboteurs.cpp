@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -153,7 +154,8 @@ const std::vector<Row>& rows_of_room(const std::string& room) {
 
 std::vector<Row> computed_rows() {
   std::vector<Row> out;
-  for (const auto& [room, rows] : tables()) out.insert(out.end(), rows.begin(), rows.end());
+  for (const auto& [room, rows] : tables())
+    std::ranges::copy_if(rows, std::back_inserter(out), &std::string::empty, &Row::left_out);
   for (const Shown& shown : shown_by_mutants()) {
     if (is_of_another_tool(shown.sort))
       out.push_back(
