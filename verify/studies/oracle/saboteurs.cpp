@@ -149,7 +149,7 @@ std::vector<Finding> self() {
 const std::vector<Row>& rows_of_room(const std::string& room) {
   auto& all = tables();
   if (const auto it = all.find(room); it != all.end()) return it->second;
-  return all[room] = matrix([&] { return of_room(room); }, {.every = by_effort(1, 12), .limit = 20});
+  return all[room] = matrix([&] { return of_room(room); }, {.every = by_effort(1, 12), .limit = 40});
 }
 
 std::vector<Row> computed_rows() {
