@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -148,12 +149,13 @@ std::vector<Finding> self() {
 const std::vector<Row>& rows_of_room(const std::string& room) {
   auto& all = tables();
   if (const auto it = all.find(room); it != all.end()) return it->second;
-  return all[room] = matrix([&] { return of_room(room); }, {.every = by_effort(1, 12), .limit = 20});
+  return all[room] = matrix([&] { return of_room(room); }, {.every = by_effort(1, 12), .limit = 40});
 }
 
 std::vector<Row> computed_rows() {
   std::vector<Row> out;
-  for (const auto& [room, rows] : tables()) out.insert(out.end(), rows.begin(), rows.end());
+  for (const auto& [room, rows] : tables())
+    std::ranges::copy_if(rows, std::back_inserter(out), &std::string::empty, &Row::left_out);
   for (const Shown& shown : shown_by_mutants()) {
     if (is_of_another_tool(shown.sort))
       out.push_back(

@@ -159,7 +159,8 @@ double floor_of(const HingeScene& hinge, const reference::Entry& entry, const Ve
   for (int i = 0; i < kDraws; ++i) {
     const reference::Scene scene = nudged(hinge.scene, random);
     reference::Path<Real50> path(scene, entry, entry.probe_xi, hinge.setting);
-    path.advance(1);
+    if (path.advance(1).status != Status::converged)
+      return std::nan("");  // no limit comes from a path that stops
     spread.include(double(Real50((rotation_of(path) - exact).norm() / exact.norm())), {});
   }
   return spread.value();

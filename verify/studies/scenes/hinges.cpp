@@ -42,6 +42,9 @@ void include(Sweep& sweep, const HingeScene& hinge, const Entry& entry, const Pa
   if (!(converged ? relative <= kLimit : inaccurate)) ++sweep.unlike;
 }
 
+/// What is no number stays the worst, and fails: the scenes that follow would only cost time.
+bool is_lost(const Sweep& sweep) { return std::isnan(sweep.error.value()); }
+
 Sweep planar_sweep(const Entry& entry) {
   Sweep sweep;
   for (const HingeScene& hinge : planar_hinges()) {
@@ -56,6 +59,7 @@ Sweep planar_sweep(const Entry& entry) {
       exact = rotation_of(truth);
     }
     include(sweep, hinge, entry, path, exact);
+    if (is_lost(sweep)) break;
   }
   return sweep;
 }
@@ -69,6 +73,7 @@ Sweep generic_sweep(const Entry& entry) {
     const bool solved = truth.advance(1).status == Status::converged;
     include(sweep, hinge, entry, path,
             solved ? rotation_of(truth) : Vec3<Real50>::Constant(Real50(std::nan(""))));
+    if (is_lost(sweep)) break;
   }
   return sweep;
 }
