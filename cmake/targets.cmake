@@ -30,7 +30,7 @@ function(compiled_together target)
   in_groups(${target} generated 4 ${ARGN})
 endfunction()
 
-# The sources of each folder. What has flags of its own stays alone.
+# The sources of each folder, six at a time. What has flags of its own stays alone.
 function(folders_together target)
   if(NOT HALFWAY_TOGETHER)
     return()
@@ -45,7 +45,7 @@ function(folders_together target)
   endforeach()
   list(REMOVE_DUPLICATES folders)
   foreach(folder IN LISTS folders)
-    in_groups(${target} ${folder} 12 ${of_${folder}})
+    in_groups(${target} ${folder} 6 ${of_${folder}})
   endforeach()
 endfunction()
 
