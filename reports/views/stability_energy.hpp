@@ -12,7 +12,7 @@ namespace halfway::reports {
 ///              ending (empty: all periods), largest, trend (per period) of the relative energy change,
 ///              linear, angular (momentum drift over that of the whole energy; null where a body is clamped),
 ///              samples [[period, largest |energy change| since the last sample]], at most 120}]
-///   loops      [{formulation, kind, slope (at the smallest amplitudes; null: no net work), points
+///   loops      [{formulation, kind, slope (of the finding loop_order; null: no net work), points
 ///   [{amplitude,
 ///              relative (net work over turnover)}]}], loads in double
 nlohmann::json stability_energy_record();

@@ -5,7 +5,7 @@
 
 namespace halfway::reports {
 
-/// Computed when asked, once for findings and series:
+/// Of the studies that the findings are of:
 ///   scene     whose law it is
 ///   moments   [{name, what}], in the order of the chart
 ///   bodies    [{name, principal (kg m^2)}]: flutter depends on the body, divergence does not

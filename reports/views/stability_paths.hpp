@@ -5,8 +5,8 @@
 
 namespace halfway::reports {
 
-/// {"scene", "columns", "curves": [...], "steps": [...]}; see SCHEMA.md, "stability.paths". Computes the
-/// paths of all formulations through c3_buckling, skewed and without skew: less than a second.
+/// {"scene", "columns", "curves": [...], "steps": [...]}; see SCHEMA.md, "stability.paths": the paths of all
+/// formulations through c3_buckling, skewed and without skew, which the findings are of.
 nlohmann::json stability_paths_record();
 
 }  // namespace halfway::reports

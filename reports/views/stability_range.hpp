@@ -5,7 +5,7 @@
 
 namespace halfway::reports {
 
-/// Computed when asked, in a few seconds:
+/// Of the studies that the findings are of:
 ///   stiffness       [N m/rad] of the joint that is turned, about its axes
 ///   curves          [{formulation, phi (rad), moment (n.m/n.K n, rad; n the axis)}], of the pose alone, 0 to
 ///   2 pi unwrapped       the same with the unwrapped rotation vector, 0 to 3 pi large_rotation

@@ -15,8 +15,8 @@ using batch::Columns, batch::Law, batch::Output;
 /// 0, the decades from 1e-3, both sides of every third of a turn, and toward pi.
 std::vector<double> angles(bool single) {
   std::vector<double> out{0, 0};
-  for (int i = 0; i < 26; i += by_effort(1, 6)) out.push_back(1e-3 * std::pow(3.1e3, i / 25.0));
-  for (int decade = -1; decade >= -12; decade -= by_effort(1, 5)) {
+  for (int i = 0; i < 26; ++i) out.push_back(1e-3 * std::pow(3.1e3, i / 25.0));
+  for (int decade = -1; decade >= -12; --decade) {
     out.push_back(std::numbers::pi - std::max(std::pow(10.0, decade), single ? 1e-4 : 0.0));
   }
   return out;
@@ -123,7 +123,7 @@ std::vector<BatchJoint> posed(const Entry& entry, Kind kind, Law law, bool ends,
 }  // namespace
 
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
-  std::vector<BatchJoint> out = posed(entry, kind, law, ends, single);
+  std::vector<BatchJoint> out = sampled(posed(entry, kind, law, ends, single), 6);
   for (BatchJoint& j : out) solve(entry, j);
   if (kind == Kind::linear) return out;
   const std::vector<double>& steep = steepnesses(entry, out, ends, single);

@@ -41,11 +41,10 @@ std::vector<Case> cases(const Entry& entry, Kind kind, bool ends) {
   const auto add = [&](double phi) {
     out.push_back(make_case(laws[out.size() % laws.size()], g, phi, ends));
   };
-  const int step = by_effort(1, 4);
-  for (int decade = -12; decade <= 0; decade += step) add(2 * std::pow(10.0, decade));
+  for (int decade = -12; decade <= 0; ++decade) add(2 * std::pow(10.0, decade));
   for (const double phi : {0.1, 0.7, 1.2, 1.5707, 2.2, 2.7, 3.0, 3.1}) add(phi);
-  for (int decade = -2; decade >= -12; decade -= step) add(std::numbers::pi - std::pow(10.0, decade));
-  return out;
+  for (int decade = -2; decade >= -12; --decade) add(std::numbers::pi - std::pow(10.0, decade));
+  return sampled(out, 4);
 }
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();

@@ -139,12 +139,10 @@ Finding flutter_without_load(const Entry& entry, Kind kind, Draft f) {
 }  // namespace
 
 void stability_kind(Checks& checks) {
-  const std::size_t before = checks.size();
   add_property(checks, "symmetry_under_couples", {Kind::angular}, symmetry_under_couples);
   add_property(checks, "cubic_and_eigenvalues", {Kind::angular}, cubic_and_eigenvalues);
   add_property(checks, "six_modes", {Kind::linear_angular}, six_modes);
   add_property(checks, "flutter_without_load", {Kind::linear}, flutter_without_load);
-  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
 }
 
 }  // namespace halfway::verify

@@ -143,12 +143,10 @@ Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
 }  // namespace
 
 void stability_kind_critical(Checks& checks) {
-  const std::size_t before = checks.size();
   checks.push_back({"stability_kind/zeros", "stability", zeros});
   checks.push_back({"stability_kind/c3", "stability", c3_values});
   add_property(checks, "critical_second_road", {Kind::angular}, second_road);
   add_property(checks, "critical_by_eigenvalues", {Kind::angular}, eigenvalue_road);
-  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
 }
 
 }  // namespace halfway::verify

@@ -64,10 +64,8 @@ Finding rest_below(const Entry& entry, Kind, Draft f) {
 }  // namespace
 
 void stability_kind_motion(Checks& checks) {
-  const std::size_t before = checks.size();
   add_property(checks, "flutter_growth", {Kind::angular}, growth_above);
   add_property(checks, "rest_below_flutter", {Kind::angular}, rest_below);
-  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
 }
 
 }  // namespace halfway::verify

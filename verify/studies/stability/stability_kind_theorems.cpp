@@ -114,12 +114,10 @@ std::vector<Finding> closed_forms() {
 }  // namespace
 
 void stability_kind_theorems(Checks& checks) {
-  const std::size_t before = checks.size();
   checks.push_back({"stability_kind/closed_form", "stability", closed_forms});
   add_property(checks, "fixed_is_follower", {Kind::angular}, fixed_is_follower);
   add_property(checks, "flutter_condition", {Kind::angular}, flutter_condition);
   add_property(checks, "flutter_under_couples", {Kind::angular}, flutter_under_couples);
-  for (std::size_t i = before; i < checks.size(); ++i) checks[i].label = "stability";
 }
 
 }  // namespace halfway::verify
