@@ -58,7 +58,7 @@ json start_record(const Entry& entry) {
   json equilibria = json::array();
   for (const auto& e : map.equilibria)
     equilibria.push_back({{"theta", {e.theta[0], e.theta[1], e.theta[2]}}, {"cells", e.cells}});
-  return {{"formulation", entry.name},    {"moment", map.moment},   {"resolution", map.resolution},
+  return {{"formulation", entry.name},    {"moment", map.moment},     {"resolution", map.resolution},
           {"has_branch", map.has_branch}, {"equilibria", equilibria}, {"cells", map.cells}};
 }
 
