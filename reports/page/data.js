@@ -38,6 +38,7 @@ export class Results {
     this.curves = json.curves;
     this.timings = json.timings.map(withDefaults);
     this.left_out = json.left_out;
+    this.saboteurs = json.saboteurs ?? [];
     this.paper = json.paper;
     this.solids = json.solids;
     this.speed = json.speed;

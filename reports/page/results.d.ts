@@ -135,6 +135,7 @@ export interface Timing {
 export interface Sabotaged {
   check: string;
   room: string;
+  siblings: number;
   sees: Array<string>;
   caught_by: Array<string>;
   wrong: Array<string>;

@@ -90,6 +90,7 @@ static void to_json(nlohmann::json& json, const Row& row) {
   add(row.seen.strain, "strain"), add(row.seen.energy, "energy");
   json = {{"check", row.check},
           {"room", row.room},
+          {"siblings", row.siblings},
           {"sees", sees},
           {"caught_by", row.caught},
           {"wrong", row.wrong}};

@@ -4,6 +4,7 @@ import {costFigure} from '../charts/solids_cost.js';
 import {newtonFigure} from '../charts/solids_newton.js';
 import {figuresOf} from '../figures_data.js';
 import {solidsOf} from '../solids_data.js';
+import {saboteursTable} from './saboteurs.js';
 import {bodiesPart} from './solids.js';
 import {bearingPart} from './solids_bearing.js';
 import {formulationErrors} from './solids_formulations.js';
@@ -75,5 +76,11 @@ function solidParts(results) {
 export const truthParts = (results) => [
   {id: 'table1', title: 'Table 1: the skewed torque, beside the print', build: () => table1(results)},
   ...sceneParts(results),
-  ...solidParts(results)
+  ...solidParts(results),
+  {
+    id: 'saboteurs',
+    title: 'What each check was seen to fail for',
+    optional: true,
+    build: () => saboteursTable(results)
+  }
 ];
