@@ -68,7 +68,7 @@ Finding compared(const TurnSequence& s, const char* what, const Quadratic& dQ, c
   const Vec3<double> change = theta_of(changed, written) - theta;
   const Vec3<double> expected = predicted(s, dQ, original, theta);
   Finding f;
-  f.name = fmt::format("frames/{}/{}/second_order", s.formulation, what);
+  f.name = fmt::format("frames/{}/second_order/{}", s.formulation, what);
   f.formulation = s.formulation;
   f.subject = "frames";
   f.value = (change - expected).norm() / expected.norm();
@@ -105,10 +105,10 @@ void add_frames_second_order(Checks& checks) {
     const TurnSequence* s = turn_sequence(entry.name);
     if (!s) continue;
     const std::string name = fmt::format("frames/{}/", entry.name);
-    checks.push_back({name + "law_in_other_axes/second_order", "cases", [s] { return law_turned(*s); }});
+    checks.push_back({name + "second_order/law_in_other_axes", "cases", [s] { return law_turned(*s); }});
     if (s->conjugate) continue;  // their partner is exact
     const char* other = entry.name == "field_a" ? "field_b" : "field_a";
-    checks.push_back({name + "nodes_exchanged/second_order", "cases", [=] { return exchanged(*s, other); }});
+    checks.push_back({name + "second_order/nodes_exchanged", "cases", [=] { return exchanged(*s, other); }});
   }
 }
 
