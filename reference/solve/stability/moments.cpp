@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <numbers>
 
 namespace halfway::reference {
 namespace {
@@ -72,7 +73,7 @@ std::optional<T> moment_potential(const MomentLoad<T>& load, const T& M, const M
 
 double ziegler_work(MomentType type) {
   constexpr int kAxes[] = {0, 1, 2};
-  constexpr double kPi = 3.141592653589793, kAngles[] = {kPi, kPi, -kPi};
+  constexpr double kAngles[] = {std::numbers::pi, std::numbers::pi, -std::numbers::pi};
   constexpr std::size_t kPoints = 24;  // the power is a trigonometric polynomial of degree 1 of the angle
   const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> gauss(
       gsl_integration_glfixed_table_alloc(kPoints), &gsl_integration_glfixed_table_free);
