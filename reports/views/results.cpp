@@ -88,12 +88,8 @@ static void to_json(nlohmann::json& json, const Row& row) {
   };
   add(row.seen.moments, "moments"), add(row.seen.forces, "forces"), add(row.seen.tangent, "tangent");
   add(row.seen.strain, "strain"), add(row.seen.energy, "energy");
-  json = {{"check", row.check},
-          {"room", row.room},
-          {"siblings", row.siblings},
-          {"sees", sees},
-          {"caught_by", row.caught},
-          {"wrong", row.wrong}};
+  json = {{"check", row.check}, {"room", row.room},        {"siblings", row.siblings},
+          {"sees", sees},       {"caught_by", row.caught}, {"wrong", row.wrong}};
 }
 
 }  // namespace halfway::verify
