@@ -6,7 +6,7 @@ export default [
   {ignores: ['node_modules/**', 'results.d.ts']},
   js.configs.recommended,
   {
-    files: ['*.js', 'charts/*.js', 'sections/*.js'],
+    files: ['*.js', 'charts/**/*.js', 'sections/**/*.js'],
     languageOptions: {globals: globals.browser}
   },
   {

@@ -8,7 +8,7 @@ import {EVERYTHING, Part, Parts} from './parts.js';
 import {headline} from './sections/headline.js';
 import {signNote} from './sections/notes.js';
 import {numberParts} from './sections/numbers.js';
-import {speedNote, speedParts} from './sections/speed.js';
+import {speedNote, speedParts} from './sections/speed/speed.js';
 import {stabilityParts} from './sections/stability.js';
 import {truthParts} from './sections/truth.js';
 import {whichParts} from './sections/which.js';

@@ -4,7 +4,7 @@ import {choice, folded, h, swatch, toggles} from '../dom.js';
 import {axisTitle, outputAxis, powerOf, rowsOf, thinned} from '../figures_data.js';
 import {seriesLook} from '../palette.js';
 import {Absent} from '../parts.js';
-import {SOLID_SOURCE, solidLayer, solidSeries} from './solid_marks.js';
+import {SOLID_SOURCE, solidLayer, solidSeries} from './solids/solid_marks.js';
 
 /** The paper's own systems are shown first; where a scene has none of them, all are. */
 const SHOWN_FIRST = ['attached_a', 'attached_b', 'invariant', 'intrinsic', 'jointc', 'linearized'];

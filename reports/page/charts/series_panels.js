@@ -1,7 +1,7 @@
 // Two panels that share their series: error against phi, and the time of each; the legend isolates one.
 import {Chart} from '../chart.js';
 import {h, isolate, swatch} from '../dom.js';
-import {phiSpec, rowsOverPhi, rowsOverRanges, timeSpec} from './phi_lines.js';
+import {phiSpec, rowsOverPhi, rowsOverRanges, timeSpec} from './stability/phi_lines.js';
 
 const timesOf = (series) => series.map((s) => ({series: s.key, label: s.label, ns: s.timing.ns}));
 

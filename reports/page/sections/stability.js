@@ -1,16 +1,16 @@
 // Where does it fail? The atlas first, then each failure's own chart.
 import {failuresOf} from '../atlas_data.js';
-import {atlasFigure} from '../charts/atlas.js';
-import {basinsFigure} from '../charts/basins.js';
-import {bucklingFigure} from '../charts/buckling.js';
-import {criticalLoadsFigure} from '../charts/critical_loads.js';
-import {criticalModesFigure} from '../charts/critical_modes.js';
-import {energyFigure} from '../charts/energy.js';
-import {energyLoopsFigure} from '../charts/energy_loops.js';
-import {loopWorkFigure} from '../charts/loop_work.js';
-import {pathsFigure} from '../charts/paths.js';
-import {digitsLostFigure} from '../charts/range_errors.js';
-import {turnsFigure} from '../charts/range_turns.js';
+import {atlasFigure} from '../charts/stability/atlas.js';
+import {basinsFigure} from '../charts/stability/basins.js';
+import {bucklingFigure} from '../charts/stability/buckling.js';
+import {criticalLoadsFigure} from '../charts/stability/critical_loads.js';
+import {criticalModesFigure} from '../charts/stability/critical_modes.js';
+import {energyFigure} from '../charts/stability/energy.js';
+import {energyLoopsFigure} from '../charts/stability/energy_loops.js';
+import {loopWorkFigure} from '../charts/stability/loop_work.js';
+import {pathsFigure} from '../charts/stability/paths.js';
+import {digitsLostFigure} from '../charts/stability/range_errors.js';
+import {turnsFigure} from '../charts/stability/range_turns.js';
 
 /** @type {(results: any) => import('../parts.js').PartSpec[]}
  * @param {import('../data.js').Results} results

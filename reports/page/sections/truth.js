@@ -1,15 +1,15 @@
 // Who is right? The print, other programs and our own 3D bodies.
 import {sceneFigure} from '../charts/scene.js';
-import {costFigure} from '../charts/solids_cost.js';
-import {newtonFigure} from '../charts/solids_newton.js';
+import {costFigure} from '../charts/solids/solids_cost.js';
+import {newtonFigure} from '../charts/solids/solids_newton.js';
 import {figuresOf} from '../figures_data.js';
 import {solidsOf} from '../solids_data.js';
 import {saboteursTable} from './saboteurs.js';
-import {bodiesPart} from './solids.js';
-import {bearingPart} from './solids_bearing.js';
-import {formulationErrors} from './solids_formulations.js';
-import {printedTables} from './solids_tables.js';
-import {xiTable} from './solids_xi.js';
+import {bodiesPart} from './solids/solids.js';
+import {bearingPart} from './solids/solids_bearing.js';
+import {formulationErrors} from './solids/solids_formulations.js';
+import {printedTables} from './solids/solids_tables.js';
+import {xiTable} from './solids/solids_xi.js';
 import {table1} from './table1.js';
 
 /** @type {(results: any) => import('../parts.js').PartSpec[]}

@@ -39,8 +39,13 @@ test('several series of one formulation differ by their dash', () => {
 
 test('no colour is written down anywhere else', () => {
   const here = new URL('..', import.meta.url);
-  const folders = ['', 'charts/', 'sections/'];
-  const modules = folders.flatMap((f) => readdirSync(new URL(f, here)).map((name) => f + name));
+  const below = (folder) =>
+    readdirSync(new URL(folder, here), {recursive: true}).map((name) => folder + name);
+  const modules = [...readdirSync(here), ...below('charts/'), ...below('sections/')];
+  assert.ok(
+    modules.some((m) => m.split('/').length === 3),
+    'rooms of charts are read as well'
+  );
   const literal = /#[0-9a-f]{6}\b|\brgb\(|\boklch\(/i;
   const found = modules.filter(
     (m) => m.endsWith('.js') && m !== 'palette.js' && literal.test(readFileSync(new URL(m, here), 'utf8'))

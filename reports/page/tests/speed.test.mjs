@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {isOwnTruth, tableOf, truthOf} from '../cheapest_data.js';
-import {kernelsOf, linesOf} from '../charts/roofline_data.js';
-import {pointsOf, scenesOf} from '../charts/work_precision_data.js';
+import {kernelsOf, linesOf} from '../charts/speed/roofline_data.js';
+import {pointsOf, scenesOf} from '../charts/speed/work_precision_data.js';
 import {Results} from '../data.js';
 import * as speed from '../speed_data.js';
 import {fixture, timing} from './fixture.mjs';
