@@ -8,7 +8,7 @@
 #include "reports/views/paper.hpp"
 #include "reports/views/solids.hpp"
 #include "reports/views/speed.hpp"
-#include "reports/views/stability.hpp"
+#include "reports/views/stability/stability.hpp"
 #include "reports/views/writers.hpp"
 #include "verify/check.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"

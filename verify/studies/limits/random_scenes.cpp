@@ -2,6 +2,7 @@
 // scene files: each is read, or refused with its line.
 #include "reference/solve/solve.hpp"
 #include "verify/effort.hpp"
+#include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/limits/random_scene.hpp"
@@ -87,24 +88,28 @@ Draft of_scenes(const Entry& entry, const std::string& what) {
 
 /// Scenes of 600 that end in equilibrium, kept from this code. Loads beyond what a law carries and laws that
 /// soften leave the others without one; a solver that gives up early falls below.
-constexpr std::pair<std::string_view, int> kConverged[] = {
-    {"attached_a", 402},     {"attached_b", 394}, {"invariant", 397},   {"intrinsic", 386},
-    {"jointc", 373},         {"field_a", 395},    {"field_b", 390},     {"conformal", 404},
-    {"potential", 396},      {"helicoidal", 403}, {"quaternion", 388},  {"cayley", 486},
-    {"simbody_xyz", 397},    {"drake_rpy", 399},  {"chrono_body", 396}, {"exudyn_intrinsic", 402},
-    {"mbdyn_joint_inv", 400}};
+struct Kept {
+  std::string_view name;
+  int converged;
+};
+constexpr Kept kConverged[] = {{"attached_a", 402},       {"attached_b", 394},     {"invariant", 397},
+                               {"intrinsic", 386},        {"jointc", 373},         {"field_a", 395},
+                               {"field_b", 390},          {"conformal", 404},      {"potential", 396},
+                               {"helicoidal", 403},       {"quaternion", 388},     {"cayley", 486},
+                               {"simbody_xyz", 397},      {"drake_rpy", 399},      {"chrono_body", 396},
+                               {"exudyn_intrinsic", 402}, {"mbdyn_joint_inv", 400}};
 constexpr int kFewest = 373;  ///< of a formulation that is not in the table
 constexpr int kEdge = 12;     ///< scenes at a limit point: rounding says whether they arrive
 
 /// Of all scenes: fewer have a share of their own, which is only shown.
 Finding converged_share(const Entry& entry, const Tally& tally, const std::string& ends) {
-  const auto* kept = std::ranges::find(kConverged, entry.name, &std::pair<std::string_view, int>::first);
+  const auto* kept = kept_of(kConverged, entry);
   Draft f = of_scenes(entry, "converged")
                 .measured(double(tally.ends[0]) / kScenes, ends)
                 .in("share of the scenes")
                 .by(Oracle::kept);
   if (by_effort(1, 0) == 0) return f.reported("the kept share is of all scenes");
-  return f.at_least(double((kept == std::end(kConverged) ? kFewest : kept->second) - kEdge) / kScenes,
+  return f.at_least(double((kept == nullptr ? kFewest : kept->converged) - kEdge) / kScenes,
                     "as many as ever, but for 2 % of the scenes that stand at a limit point");
 }
 

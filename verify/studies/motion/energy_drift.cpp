@@ -1,6 +1,7 @@
 // Thousands of periods of bodies on every formulation: who makes energy, and who angular momentum.
 #include "verify/effort.hpp"
 #include "verify/once.hpp"
+#include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/studies/motion/energy.hpp"
 
@@ -25,7 +26,7 @@ constexpr double kRegular = 50;
 /// Kept from this code: the largest change of energy in those, and of angular momentum where moments do not
 /// balance.
 struct Kept {
-  std::string_view formulation;
+  std::string_view name;
   double energy, angular_momentum;
 };
 constexpr Kept kKept[] = {{"attached_a", 0.355864, 0},
@@ -42,8 +43,8 @@ constexpr Kept kKept[] = {{"attached_a", 0.355864, 0},
 /// Within 1 %: other processors round otherwise, which fifty periods do not yet magnify so far. Of a
 /// formulation that is not kept, anything beyond the integrator.
 Band kept_band(const Entry& entry, double Kept::*what) {
-  const auto* kept = std::ranges::find(kKept, entry.name, &Kept::formulation);
-  if (kept == std::end(kKept)) return {1.5 * kIntegrator, 1e4};
+  const auto* kept = kept_of(kKept, entry);
+  if (kept == nullptr) return {1.5 * kIntegrator, 1e4};
   return {0.99 * (kept->*what), 1.01 * (kept->*what)};
 }
 

@@ -2,12 +2,12 @@
 // joint exists for, along the paper's load paths prolonged.
 #include "reference/solve/solve.hpp"
 #include "verify/oracle/fe_access.hpp"
+#include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -119,32 +119,32 @@ double degrees_within(const reference::Curve& lumped, const Range& range, double
 }
 
 /// Degrees within 1 % and within 5 %, kept from this code: a formulation that is not here is only reported.
-struct Kept {
+struct KeptDegrees {
   std::string_view name;
   double one, five;
 };
 
-constexpr Kept kDegrees[] = {{"attached_a", 0, 0},
-                             {"attached_b", 0, 0},
-                             {"invariant", 3.399, 7.694},
-                             {"intrinsic", 3.399, 7.694},
-                             {"jointc", 3.71, 8.099},
-                             {"field_a", 0, 0},
-                             {"field_b", 0, 0},
-                             {"conformal", 3.348, 7.584},
-                             {"potential", 3.381, 7.668},
-                             {"helicoidal", 3.381, 7.668},
-                             {"quaternion", 3.452, 7.852},
-                             {"cayley", 2.872, 6.592},
-                             {"simbody_xyz", 0, 0},
-                             {"drake_rpy", 0, 0},
-                             {"chrono_body", 0, 0},
-                             {"exudyn_intrinsic", 3.399, 7.694},
-                             {"mbdyn_joint_inv", 0, 0}};
+constexpr KeptDegrees kDegrees[] = {{"attached_a", 0, 0},
+                                    {"attached_b", 0, 0},
+                                    {"invariant", 3.399, 7.694},
+                                    {"intrinsic", 3.399, 7.694},
+                                    {"jointc", 3.71, 8.099},
+                                    {"field_a", 0, 0},
+                                    {"field_b", 0, 0},
+                                    {"conformal", 3.348, 7.584},
+                                    {"potential", 3.381, 7.668},
+                                    {"helicoidal", 3.381, 7.668},
+                                    {"quaternion", 3.452, 7.852},
+                                    {"cayley", 2.872, 6.592},
+                                    {"simbody_xyz", 0, 0},
+                                    {"drake_rpy", 0, 0},
+                                    {"chrono_body", 0, 0},
+                                    {"exudyn_intrinsic", 3.399, 7.694},
+                                    {"mbdyn_joint_inv", 0, 0}};
 
 Draft held(Draft f, const Entry& entry, double limit) {
-  const auto* kept = std::ranges::find(kDegrees, entry.name, &Kept::name);
-  if (kept == std::end(kDegrees)) return f.reported("no kept value of this formulation");
+  const auto* kept = kept_of(kDegrees, entry);
+  if (kept == nullptr) return f.reported("no kept value of this formulation");
   const double degrees = limit == 0.01 ? kept->one : kept->five;
   return f
       .equal(degrees, 1e-3 * degrees, "kept to four digits: the curves are data, the mesh is solved again")

@@ -1,4 +1,4 @@
-#include "reports/views/stability_energy.hpp"
+#include "reports/views/stability/energy.hpp"
 
 #include "reference/record/worst.hpp"
 #include "reports/views/rounded.hpp"

@@ -1,4 +1,4 @@
-#include "reports/views/stability_basins.hpp"
+#include "reports/views/stability/basins.hpp"
 
 #include "verify/studies/limits/basin_map.hpp"
 #include "verify/studies/limits/newton_order.hpp"

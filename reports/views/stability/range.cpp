@@ -1,4 +1,4 @@
-#include "reports/views/stability_range.hpp"
+#include "reports/views/stability/range.hpp"
 
 #include "reports/eval/eval_line.hpp"
 #include "reports/views/rounded.hpp"

@@ -1,4 +1,4 @@
-#include "reports/views/stability_defects.hpp"
+#include "reports/views/stability/defects.hpp"
 
 #include "verify/oracle/measures.hpp"
 

@@ -1,11 +1,11 @@
-#include "reports/views/stability.hpp"
+#include "reports/views/stability/stability.hpp"
 
-#include "reports/views/stability_basins.hpp"
-#include "reports/views/stability_defects.hpp"
-#include "reports/views/stability_energy.hpp"
-#include "reports/views/stability_kind.hpp"
-#include "reports/views/stability_paths.hpp"
-#include "reports/views/stability_range.hpp"
+#include "reports/views/stability/basins.hpp"
+#include "reports/views/stability/defects.hpp"
+#include "reports/views/stability/energy.hpp"
+#include "reports/views/stability/kind.hpp"
+#include "reports/views/stability/paths.hpp"
+#include "reports/views/stability/range.hpp"
 
 #include <iterator>
 

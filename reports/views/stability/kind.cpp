@@ -1,4 +1,4 @@
-#include "reports/views/stability_kind.hpp"
+#include "reports/views/stability/kind.hpp"
 
 #include "reports/views/rounded.hpp"
 #include "verify/studies/stability/block_loads.hpp"

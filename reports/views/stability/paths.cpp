@@ -1,4 +1,4 @@
-#include "reports/views/stability_paths.hpp"
+#include "reports/views/stability/paths.hpp"
 
 #include "reference/solve/solve.hpp"
 #include "verify/studies/paths/block_paths.hpp"
