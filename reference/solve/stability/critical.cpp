@@ -138,6 +138,7 @@ CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyIner
       return out;
     }
     const auto c = characteristic(point.J, body, point.R);
+    if (s.angle == 0 && c.det < 0) out.divergence = critical_at(Real50(0));  // unstable at rest
     if (!out.divergence && before != 0 && (c.det < 0) != (before < 0))
       out.divergence = critical_at(sign_change(determinant, before_angle, s.angle));
     const auto d = discriminant_of(c);

@@ -1,10 +1,12 @@
-// Forces at several points and moments of both kinds at once: the balance of the loaded node and its tangent,
-// against loads that are added up at the node itself.
+// Forces at several points and moments of both kinds at once: the balance of the loaded node, its tangent and
+// the outputs, against loads that are added up at the node itself and where it stands in space.
 #include "reference/numbers/random.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/property.hpp"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace halfway::verify {
@@ -94,6 +96,26 @@ double tangent_error(const Entry& entry, const Scene& scene, const Setting& sett
                 reference::largest_entry<Real50>(by_difference));
 }
 
+/// What the outputs of the solver are off, rad and m, from where the node stands in space: its rotation and
+/// its displacement since rest, in the axes of the scene.
+double output_error(const Entry& entry, const Scene& scene, const Setting& setting) {
+  reference::Path<double> path(scene, entry, scene.joint.xi, setting);
+  const Pose<double> rest = path.problem().node(path.problem().start());
+  if (path.advance(1).status != Status::converged) return std::nan("");
+  const Pose<double> node = path.node();
+  const Mat3<double> axes = so3::exp<double>(setting.frame_turn).transpose();
+  const Vec3<double> theta = so3::log<double>(axes * node.R * rest.R.transpose() * axes.transpose());
+  const Vec3<double> u = axes * (node.x - rest.x);
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::string axis(1, char('x' + i));
+    reference::keep_largest(worst, std::abs(path.output("theta_" + axis) - theta[i]));
+    if (scene.joint.kind != Kind::angular)
+      reference::keep_largest(worst, std::abs(path.output("u_" + axis) - u[i]));
+  }
+  return worst;
+}
+
 Measurement worst(double (*measure)(const Entry&, const Scene&, const Setting&), const Entry& entry,
                   Kind kind) {
   Measurement out;
@@ -114,6 +136,12 @@ void several_loads(Checks& checks) {
     return f.measured(worst(left_over, entry, kind))
         .in("of the largest load")
         .at_most(1e-12, "some tens of roundings of loads, levers and strains of order 1")
+        .by(Oracle::independent);
+  });
+  add_property(checks, "several_loads_outputs", kinds, [](const Entry& entry, Kind kind, Draft f) {
+    return f.measured(worst(output_error, entry, kind))
+        .in("rad, m")
+        .at_most(1e-14, "some tens of roundings of positions and rotation matrices of order 1")
         .by(Oracle::independent);
   });
   add_property(checks, "several_loads_tangent", kinds, [](const Entry& entry, Kind kind, Draft f) {
