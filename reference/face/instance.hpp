@@ -1,11 +1,18 @@
-// Makes the registry entry of one formulation; included only by the generated units.
+// Makes the registry entry of one formulation; included only by generated units.
 #pragma once
 
 #include "halfway/joint/formulation.hpp"
 #include "reference/face/instantiations.hpp"
-#include "reference/face/kernel_instance.hpp"
 
 namespace halfway::reference {
+
+template <class F>
+F make_formulation(double xi) {
+  if constexpr (requires { F::kProbeXi; })
+    return F(xi);
+  else
+    return F{};
+}
 
 template <class F, Kind kind, class T>
 auto make_joint(const JointSpec& spec) {
@@ -76,8 +83,8 @@ Entry make_entry(std::string_view type, std::string_view header, bool wide) {
               &F::has_potential,
               evaluators<F, double>(),
               evaluators<F, Real50>(),
-              evaluators<F, Dual<Real50>>(),
-              make_kernel_entry<F>()};
+              {},
+              {}};
   if constexpr (requires { F::kProbeXi; }) {
     entry.needs_xi = true;
     entry.probe_xi = F::kProbeXi;

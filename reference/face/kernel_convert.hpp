@@ -11,11 +11,11 @@ kernel::V3<T> plain(const Vec3<S>& v) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 template <class T>
-kernel::Node<T> plain(const QuaternionPose<T>& p) {
+kernel::NodePose<T> plain(const QuaternionPose<T>& p) {
   return {plain<T>(p.x), {p.q[0], {p.q[1], p.q[2], p.q[3]}}};
 }
 template <class T>
-kernel::End<T> plain_end(const JointEnd<double>& e) {
+kernel::KernelEnd<T> plain_end(const JointEnd<double>& e) {
   const auto q = so3::quaternion<double>(e.H);
   return {plain<T>(e.o), {T(q.w), plain<T>(q.v)}};
 }
@@ -43,7 +43,7 @@ auto plain_law(const Eigen::MatrixXd& K) {
 }
 
 template <class T>
-AngularLoads<T> eigen(const kernel::AngularLoads<T>& l) {
+AngularLoads<T> eigen(const kernel::MomentLoads<T>& l) {
   T out[3 + 18];
   kernel::expand<true>(l, out);
   const Eigen::Map<const Eigen::Matrix<T, 3, 6, Eigen::RowMajor>> tangent(out + 3);

@@ -2,17 +2,10 @@
 #pragma once
 
 #include "halfway/kernels/compensated.hpp"
+#include "reference/face/instance.hpp"
 #include "reference/face/kernel_convert.hpp"
 
 namespace halfway::reference {
-
-template <class F>
-F make_formulation(double xi) {
-  if constexpr (requires { F::kProbeXi; })
-    return F(xi);
-  else
-    return F{};
-}
 
 template <class F, Kind kind, class T, class E = kernel::Ends<T>>
 auto make_kernel_joint(const F& formulation, const JointSpec& spec) {
@@ -20,7 +13,7 @@ auto make_kernel_joint(const F& formulation, const JointSpec& spec) {
   const auto made = kernel::KernelOf<F>::make(formulation);
   using K = std::remove_const_t<decltype(made)>;
   using L = std::remove_const_t<decltype(law)>;
-  kernel::Joint<kind, K, L, E> joint{made, law};
+  kernel::KernelJoint<kind, K, L, E> joint{made, law};
   if constexpr (!std::is_same_v<E, kernel::NoEnds>) joint.ends = {plain_end<T>(spec.a), plain_end<T>(spec.b)};
   return joint;
 }

@@ -44,8 +44,8 @@ struct Entry {
   bool (*has_potential)(Kind);
   Evaluators<double> in_double;
   Evaluators<Real50> in_real50;
-  Evaluators<Dual<Real50>> in_dual50;
-  KernelEntry kernel;
+  Evaluators<Dual<Real50>> in_dual50;  ///< empty before complete_catalog()
+  KernelEntry kernel;                  ///< the same
 
   template <class T>
   const Evaluators<T>& in() const {
@@ -59,7 +59,11 @@ struct Entry {
 };
 
 /// The catalog's entries in the order of catalog.def.
-std::span<const Entry> catalogued();
+std::span<Entry> catalogued();
+
+/// Adds duals and kernels to the catalog's entries: what the suite asks of them and `halfway` does not, in a
+/// library of its own (reference_deep). First in a program that verifies or reports.
+void complete_catalog();
 
 /// The entries in use: the catalog's, or those of a ScopedRegistry.
 std::span<const Entry> formulations();

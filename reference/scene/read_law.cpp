@@ -1,6 +1,6 @@
 #include "reference/scene/read_law.hpp"
 
-#include "reference/numbers/spectrum.hpp"
+#include "reference/numbers/linear_algebra.hpp"
 
 #include <fmt/format.h>
 

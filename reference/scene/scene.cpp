@@ -9,15 +9,17 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace halfway::reference {
 namespace {
 
 constexpr int kMostPoints = 100000;
+constexpr const char* kLoadTypes[] = {"fixed_moment", "follower_moment", "fixed_force"};
 
 SceneLoad read_load(const Field& load, Kind kind) {
   load.has_only({"type", "value", "point"});
-  const Names types = {"fixed_moment", "follower_moment", "fixed_force"};
+  const Names types(std::begin(kLoadTypes), std::end(kLoadTypes));
   const Field type = load.at("type", "fixed_moment, follower_moment, fixed_force");
   const std::string name = type.one_of(types);
   SceneLoad out;
@@ -135,6 +137,8 @@ Scene scene_of(Document& document, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+const char* to_string(LoadType type) { return kLoadTypes[std::size_t(type)]; }
 
 bool is_critical(const std::string& output) {
   return output == "critical_moment" || output == "critical_angle";

@@ -21,6 +21,7 @@ enum class LoadType {
   follower_moment,  ///< moment on node b, axes of node b, N m
   fixed_force       ///< force on node b, global axes, N, at `point` in the axes of node b, m
 };
+const char* to_string(LoadType type);
 
 struct SceneLoad {
   LoadType type = LoadType::fixed_moment;

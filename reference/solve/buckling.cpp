@@ -1,8 +1,11 @@
 #include "reference/solve/buckling.hpp"
 
+#include "reference/numbers/zeros.hpp"
 #include "reference/solve/turned_joint.hpp"
 
 #include <Eigen/LU>
+
+#include <numbers>
 
 namespace halfway::reference {
 namespace {
@@ -24,17 +27,13 @@ struct Way {
   }
 };
 
-/// Bisects a sign change; a pole ends with a determinant that has grown.
-std::optional<Real50> bisect(const Way& way, double low, double high) {
-  Real50 a(low), b(high);
-  const Real50 start = way.determinant(a);
-  const bool negative = start < Real50(0);
-  for (int i = 0; i < 160; ++i) {
-    const Real50 middle = (a + b) / Real50(2);
-    ((way.determinant(middle) < Real50(0)) == negative ? a : b) = middle;
-  }
-  if (abs(way.determinant(b)) > abs(start)) return std::nullopt;
-  return (a + b) / Real50(2);
+/// Where the sign changes; a pole ends with a determinant that has grown.
+std::optional<Real50> zero_between(const Way& way, double low, double high) {
+  const Real50 start = way.determinant(Real50(low));
+  const auto as_before = [&](const Real50& angle) { return !opposite(way.determinant(angle), start); };
+  const Real50 zero = last_where(as_before, Real50(low), Real50(high), 160);
+  if (abs(way.determinant(zero)) > abs(start)) return std::nullopt;
+  return zero;
 }
 
 }  // namespace
@@ -45,10 +44,10 @@ std::optional<Buckling> first_buckling(const Entry& entry, const JointSpec& spec
   const Way way{entry, spec, axis, nodes_exchanged};
   double previous = way.determinant(0.0);
   for (int i = 1; i < kSteps; ++i) {
-    const double angle = 3.141592653589793 * i / kSteps;
+    const double angle = std::numbers::pi * i / kSteps;
     const double now = way.determinant(angle);
     if ((now < 0) != (previous < 0)) {
-      const auto root = bisect(way, 3.141592653589793 * (i - 1) / kSteps, angle);
+      const auto root = zero_between(way, std::numbers::pi * (i - 1) / kSteps, angle);
       if (root) return Buckling{way.at(*root).m[axis], *root};
     }
     previous = now;

@@ -7,15 +7,21 @@ namespace halfway::reference {
 
 namespace {
 
-/// Do the loads ahead differ from what the tangent foretells by more than a curved path can?
+/// What the tangent does not foretell of the loads a step ahead on the path; the step in rad, or m.
+double unforetold(const EquilibriumProblem<double>& problem, const Outcome<double>& state,
+                  const NodeBalance<double>& here, const NodeVector<double>& slope, double ahead) {
+  const NodeVector<double> step = slope * (ahead / slope.norm());
+  const NodeVector<double> foretold = here.imbalance - here.tangent * step;
+  return (problem.balance(problem.displaced(state.joint, step), state.factor).imbalance - foretold).norm();
+}
+
+/// Loads that jump are off by as much after a short step as after a long one; those of a curved path, however
+/// soft the tangent is, by a hundredth after a tenth.
 bool jumps_ahead(const EquilibriumProblem<double>& problem, const Outcome<double>& state,
                  const NodeBalance<double>& here, const NodeVector<double>& slope) {
-  constexpr double kAhead = 1e-3;  // rad, or of whatever is unknown
-  const NodeVector<double> step = slope * (kAhead / slope.norm());
-  const NodeVector<double> foretold = here.imbalance - here.tangent * step;
-  const NodeVector<double> there =
-      problem.balance(problem.displaced(state.joint, step), state.factor).imbalance;
-  return (there - foretold).norm() > 10 * (here.tangent * step).norm();
+  constexpr double kLong = 1e-3, kShort = 1e-4, kSame = 0.3;
+  return unforetold(problem, state, here, slope, kShort) >
+         kSame * unforetold(problem, state, here, slope, kLong);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 // Good for generic angles only, 0 < phi < pi: the formulas divide by sin(phi) and phi. Each form has
 //   loads(spec, a, b)         (f_a, m_a, f_b, m_b), global axes, N and N m, moments about the nodes
-// Equation numbers are the paper's. Nothing here calls formulations/so3.hpp.
+// Equation numbers are the paper's. Nothing here calls halfway/rotations/so3.hpp.
 #pragma once
 
 #include "reference/face/joint_spec.hpp"

@@ -17,7 +17,7 @@ struct DataError : std::runtime_error {
 /// $HALFWAY_DATA, or the folder of the sources that was built in.
 std::filesystem::path data_folder();
 
-/// A JSON file below it, e.g. read_data("mbdyn/table1.json"). Throws DataError.
+/// A JSON file below it, e.g. read_data("reference/data/mbdyn/table1.json"). Throws DataError.
 nlohmann::json read_data(const std::string& relative_path);
 
 }  // namespace halfway::reference

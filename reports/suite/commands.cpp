@@ -1,9 +1,11 @@
 // Every command: `halfway-suite`.
+#include "reference/face/registry.hpp"
 #include "reports/cli/commands.hpp"
 
 namespace halfway::reports {
 
 void add_commands(CLI::App& app) {
+  reference::complete_catalog();
   add_list(app);
   add_run(app);
   add_eval(app);

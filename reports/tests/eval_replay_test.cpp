@@ -1,11 +1,16 @@
 // What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own
 // worst case.
 #include "reference/record/worst.hpp"
+#include "reference/solve/solve.hpp"
 #include "reports/tests/eval_support.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/replay.hpp"
 
+#include <unistd.h>
 #include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace halfway;
 using namespace halfway::reports::test;
@@ -52,6 +57,23 @@ BOOST_AUTO_TEST_CASE(same_loads) {
       }
     }
   }
+}
+
+/// The scene that a failure prints ends where the failing one did.
+BOOST_AUTO_TEST_CASE(same_scenes) {
+  const auto file =
+      std::filesystem::temp_directory_path() / ("halfway_replay_" + std::to_string(getpid()) + ".toml");
+  for (reference::Scene scene : reference::canonical_scenes()) {
+    for (const auto& entry : reference::formulations()) {
+      scene.points = 2;
+      std::ofstream(file) << verify::scene_text(scene, entry, 0.45);
+      const auto curve = reference::solve_scene(scene, {&entry, 0.45});
+      const auto again = reference::solve_scene(reference::read_scene(file), {&entry, 0.45});
+      BOOST_TEST(curve.outcome == again.outcome);
+      BOOST_TEST((curve.rows == again.rows), entry.name << " in " << scene.name);
+    }
+  }
+  std::filesystem::remove(file);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

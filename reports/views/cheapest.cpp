@@ -1,7 +1,6 @@
 #include "reports/views/cheapest.hpp"
 
-#include "reference/face/kernel_variants.hpp"
-#include "reports/views/model_error.hpp"
+#include "verify/studies/scenes/model_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +16,7 @@ using reference::Choice;
 using reference::Curve;
 using reference::Entry;
 using reference::Scene;
+using verify::Truth;
 
 constexpr double kTolerances[] = {1e-2, 1e-4, 1e-8};
 
@@ -36,19 +36,6 @@ struct Candidates {
 bool is_cost(const Timing& t, const std::string& kind) {
   return !t.wrong && t.ns > 0 && t.what == "residual_tangent" && t.kind == kind && t.joints == 0 &&
          t.method.empty() && (t.implementation == "reference" || t.implementation == "kernel");
-}
-
-/// The formulation evaluated as it was timed. Nothing for variants that are no cheaper accuracy
-/// (compensated) or another joint than the others' (no_ends), and for a law that no kernel takes.
-std::optional<Entry> evaluated_as(const Timing& t, const Entry& entry, const Scene& scene) {
-  if (t.implementation == "reference") return t.variant.empty() ? std::optional(entry) : std::nullopt;
-  const bool linear = std::holds_alternative<reference::LinearSpec>(scene.joint.law);
-  if (!linear || entry.kernel.in_double.angular == nullptr) return std::nullopt;
-  if (t.variant.empty()) return with_kernel(entry, t.precision == "float");
-  if (entry.name != "invariant" || scene.joint.kind != Kind::angular) return std::nullopt;
-  for (const auto& variant : reference::invariant_variants())
-    if (variant.name == t.variant && variant.precision == t.precision) return with_variant(entry, variant);
-  return std::nullopt;
 }
 
 /// The kept curve of the readable transcription, or the path of a kernel.
@@ -74,9 +61,10 @@ Candidates candidates(const Scene& scene, const Truth& truth, const Results& res
     if (choice.entry == nullptr) continue;  // the linear analysis is no joint
     for (const Timing& t : results.timings) {
       if (t.formulation != choice.entry->name || !is_cost(t, to_string(scene.joint.kind))) continue;
-      const auto evaluated = evaluated_as(t, *choice.entry, scene);
+      const auto evaluated =
+          verify::evaluated_by(t.implementation, t.variant, t.precision, *choice.entry, scene);
       if (!evaluated) continue;
-      const auto error = model_error(path_of(t, choice, *evaluated, scene, results.curves), truth);
+      const auto error = verify::model_error(path_of(t, choice, *evaluated, scene, results.curves), truth);
       if (error)
         out.all.push_back({&t, choice, *error});
       else
@@ -169,7 +157,7 @@ nlohmann::json cheapest(const Results& results) {
     const bool wanted =
         std::ranges::any_of(results.scenes, [&](const SceneInfo& info) { return info.name == scene.name; });
     if (!wanted) continue;
-    const Truth truth = truth_of(scene);
+    const Truth truth = verify::truth_of(scene);
     const Candidates found = candidates(scene, truth, results);
     for (const double tolerance : kTolerances)
       rows.push_back(row(scene, tolerance, truth, found, results.timings));

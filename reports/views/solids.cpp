@@ -38,7 +38,7 @@ json compliances(const fe::Characterisation& c) {
 /// xi per law, from each pair of moments and of forces, and the least-squares ones.
 json xis(const fe::Characterisation& c) {
   json out = json::array();
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     json row = {{"law", to_string(law)}};
     for (const auto& loads : kPairs) {
       const int i = loads[0], j = loads[1];
@@ -66,7 +66,7 @@ json runs(const fe::Characterisation& c) {
   json out = json::array();
   for (const auto& run : c.runs) {
     json xi;
-    for (fe::Law law : fe::kLaws)
+    for (fe::SolidLaw law : fe::kLaws)
       xi[to_string(law)] = xi_of_moments(run.result, law, kPairs[0][0], kPairs[0][1]);
     json compliance = json::array();
     for (int k = 0; k < 6; ++k) compliance.push_back(run.result.compliance(k, k));

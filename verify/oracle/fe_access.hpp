@@ -7,7 +7,7 @@
 namespace halfway::verify {
 
 /// The material law that the paper's own program documents: that of the truth which formulations are held to.
-inline constexpr reference::fe::Law kPaperLaw = reference::fe::Law::cauchy_log;
+inline constexpr reference::fe::SolidLaw kPaperLaw = reference::fe::SolidLaw::cauchy_log;
 
 /// A finding on a solid: name "fe/...", subject "fe".
 Draft solid_finding(const std::string& name);

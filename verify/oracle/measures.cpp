@@ -77,7 +77,7 @@ double loads_apart(const Eigen::Matrix<Real50, 12, 1>& q, const Eigen::Matrix<Re
   return largest(q) == Real50(0) ? ratio(Real50(0), Real50(0)) : larger(relative(0), relative(3));
 }
 
-JointUnderTest of(const Entry& entry) {
+JointUnderTest under_test(const Entry& entry) {
   const Entry* e = &entry;
   return {[e](const JointSpec& s, const Pose<Real50>& a, const Pose<Real50>& b, bool with_tangent) {
             return reference::node_loads<Real50>(*e, s, a, b, with_tangent);

@@ -34,7 +34,7 @@ struct JointUnderTest {
 };
 
 /// The formulation of a registry entry. @param entry  must outlive the result.
-JointUnderTest of(const Entry& entry);
+JointUnderTest under_test(const Entry& entry);
 
 /// The probe's pose in 50 digits, with the joint frame R H orthonormal to 50 digits: the frames H of
 /// a spec are doubles, and their drift would otherwise hide everything below 1e-16.

@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace halfway::verify {
 namespace {
 
@@ -32,6 +35,40 @@ json node_of(const Pose<double>& pose, const JointEnd<double>& end) {
           {"h", json_of(end.H)}};
 }
 
+std::string row_of(const Eigen::VectorXd& v) {
+  return fmt::format("[{}]", fmt::join(std::vector<double>(v.begin(), v.end()), ", "));
+}
+
+std::string rows_of(const Eigen::MatrixXd& m) {
+  std::vector<std::string> rows;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) rows.push_back(row_of(m.row(i)));
+  return fmt::format("[{}]", fmt::join(rows, ",\n  "));
+}
+
+std::string law_text(const reference::LawSpec& law) {
+  if (const auto* p = std::get_if<reference::PolynomialSpec>(&law))
+    return fmt::format("type = \"polynomial\"\nk1 = {}\nk3 = {}\nk5 = {}\n", row_of(p->k1), row_of(p->k3),
+                       row_of(p->k5));
+  const auto& linear = std::get<reference::LinearSpec>(law);
+  return fmt::format("type = \"linear\"\n{} = {}\n", linear.is_compliance ? "compliance" : "stiffness",
+                     rows_of(linear.matrix));
+}
+
+std::string load_text(const reference::SceneLoad& load) {
+  const bool is_force = load.type == reference::LoadType::fixed_force;
+  return fmt::format("\n[[load]]\ntype = \"{}\"\nvalue = {}\n{}", to_string(load.type), row_of(load.value),
+                     is_force ? fmt::format("point = {}\n", row_of(load.point)) : "");
+}
+
+std::string described(const reference::Setting& setting) {
+  const bool is_moved = !setting.frame_turn.isZero(0) || !setting.frame_shift.isZero(0);
+  const std::string order =
+      setting.nodes_exchanged ? "it failed with the nodes exchanged" : "it failed as it is";
+  if (!is_moved) return order;
+  return fmt::format("{}, turned by {} rad and shifted by {} m as a whole", order, row_of(setting.frame_turn),
+                     row_of(setting.frame_shift));
+}
+
 }  // namespace
 
 std::string eval_request(const std::string& formulation, const reference::JointSpec& spec,
@@ -42,6 +79,22 @@ std::string eval_request(const std::string& formulation, const reference::JointS
   const auto* entry = reference::find_formulation(formulation);
   if (entry != nullptr && entry->needs_xi) request["xi"] = spec.xi;
   return request.dump();
+}
+
+std::string scene_text(const reference::Scene& scene, const reference::Entry& entry, double xi,
+                       const reference::Setting& setting) {
+  const reference::JointSpec& joint = scene.joint;
+  std::string out =
+      fmt::format("title = \"{}\"\ndescription = \"{}\"\nformulations = [\"{}\"]\n",
+                  scene.name.empty() ? "a failure" : scene.name, described(setting), entry.name);
+  if (entry.needs_xi) out += fmt::format("xis = [{}]\n", xi);
+  if (!scene.outputs.empty()) out += fmt::format("outputs = [\"{}\"]\n", fmt::join(scene.outputs, "\", \""));
+  out += fmt::format("\n[joint]\nkind = \"{}\"\n", to_string(joint.kind));
+  for (const auto& [node, end] : {std::pair("a", &joint.a), std::pair("b", &joint.b)})
+    out += fmt::format("offset_{0} = {1}\nframe_{0} = {2}\n", node, row_of(end->o), rows_of(end->H));
+  out += "[joint.law]\n" + law_text(joint.law);
+  for (const reference::SceneLoad& load : scene.loads) out += load_text(load);
+  return out + fmt::format("\n[path]\nfactor_end = {}\npoints = {}\n", scene.factor_end, scene.points);
 }
 
 }  // namespace halfway::verify

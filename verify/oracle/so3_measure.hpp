@@ -1,4 +1,4 @@
-// Error of one function of formulations/so3.hpp in one scalar, against the same input at 50 digits.
+// Error of one function of halfway/rotations/so3.hpp in one scalar, against the same input at 50 digits.
 //
 // A function is a type with `name`, `input` and `template <class T> apply(const Eigen matrix of T&)`,
 // so that a wrong twin is measured exactly as the library's own function is.

@@ -1,4 +1,4 @@
-// Makes a JointUnderTest of a form written as a template over the scalar (reference/closed_forms.hpp,
+// Makes a JointUnderTest of a form written as a template over the scalar (reference/truth/closed_forms.hpp,
 // mutants/).
 #pragma once
 

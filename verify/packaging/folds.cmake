@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 set(forgetful "std::f?max[ ({<,;]|max_element|maxCoeff|lpNorm<Eigen::Infinity>|minmax")
 set(named
-    "verify/studies/limits/newton_order.cpp|std::max<std::size_t>(2, steps / 3)"
+    "verify/studies/newton/newton_order.cpp|std::max<std::size_t>(2, steps / 3)"
     "verify/studies/limits/large_rotation.cpp|stiffness().maxCoeff()"
     "verify/studies/limits/random_scene.cpp|largest = k.maxCoeff()"
     "verify/studies/kernels/batch_tables.cpp|std::max(1, batch::tangent_rows"

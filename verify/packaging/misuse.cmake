@@ -42,6 +42,8 @@ misuse(none "" "const With<Kind::linear_angular, double, Invariant, 6> joint{.la
 misuse(cpp17 "halfway needs C++20" "" -std=c++17)
 misuse(law_size "the law of a joint takes 3 strains" "const With<Kind::linear_angular, double, Invariant, 3> joint{.law = law3};
   (void)joint;")
+misuse(short_list "orthotropic_law<T, N> takes N stiffnesses" "const auto law = orthotropic_law<double, 6>({1, 2, 3});
+  (void)law;")
 misuse(stress_alone "the law of a joint takes 3 strains" "const auto law = [](const Vec3<double>& e) { return e; };
   const Joint<Kind::angular, double, Invariant, decltype(law)> joint{.law = law};
   (void)joint;")

@@ -50,13 +50,20 @@ std::string line(const Finding& f) {
                      f.reason.empty() ? "" : "; " + f.reason);
 }
 
+/// A request is one line of JSON, a scene is a file.
+void print_replay(const std::string& replay) {
+  if (replay.starts_with('{'))
+    fmt::print("replay: echo '{}' | ./halfway eval\n", replay);
+  else
+    fmt::print("replay: ./halfway run replay.toml, with the file\n{}\n", replay);
+}
+
 void run(const Check& check) {
   const auto findings = check.run();
   BOOST_TEST(!findings.empty(), check.name << " measured nothing");
   for (const Finding& f : findings) {
     std::puts(line(f).c_str());
-    if (f.verdict == Verdict::fail && !f.replay.empty())
-      fmt::print("replay: echo '{}' | ./halfway eval\n", f.replay);
+    if (f.verdict == Verdict::fail && !f.replay.empty()) print_replay(f.replay);
     if (std::isfinite(f.value)) {
       fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name,
                  f.value);
@@ -122,6 +129,7 @@ int run_sabotaged(const std::string& what, const std::string& name) {
 }
 
 int run_main(int argc, char** argv) {
+  halfway::reference::complete_catalog();
   if (argc == 5 && std::strcmp(argv[1], "--sabotage") == 0 && std::strcmp(argv[3], "--check") == 0)
     return run_sabotaged(argv[2], argv[4]);
   if (argc > 1 && std::strcmp(argv[1], "--list") == 0) {

@@ -11,11 +11,11 @@ namespace {
 using batch::Output;
 
 batch::Model model_of(const BatchProblem& p) {
-  return {p.formulation, p.in->spec.kind, batch::Law::linear, p.in->spec.xi};
+  return {p.formulation, p.in->spec.kind, batch::LawForm::linear, p.in->spec.xi};
 }
 
 template <class T>
-batch::End<T> end_of(const JointEnd<double>& e) {
+batch::BatchEnd<T> end_of(const JointEnd<double>& e) {
   const auto q = so3::quaternion<double>(e.H);
   return {{T(e.o[0]), T(e.o[1]), T(e.o[2])}, {T(q.w), T(q.v[0]), T(q.v[1]), T(q.v[2])}};
 }
@@ -89,7 +89,7 @@ BatchData<T>::BatchData(const BatchProblem& p)
       q_b_(4, p.joints),
       x_a_(3, p.joints),
       x_b_(3, p.joints),
-      law_(batch::law_rows(p.in->spec.kind, batch::Law::linear), 1),
+      law_(batch::law_rows(p.in->spec.kind, batch::LawForm::linear), 1),
       direction_(p.output == Output::product ? batch::direction_rows(p.in->spec.kind) : 1, p.joints),
       loads_(batch::load_rows(p.in->spec.kind), p.joints),
       tangent_(std::max(1, batch::tangent_rows(p.in->spec.kind, p.output)), p.joints),

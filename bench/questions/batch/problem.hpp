@@ -40,7 +40,7 @@ class BatchData {
   batch::Options options_;
   batch::Table<T> q_a_, q_b_, x_a_, x_b_, law_, direction_;
   mutable batch::Table<T> loads_, tangent_;
-  batch::End<T> a_, b_;
+  batch::BatchEnd<T> a_, b_;
   batch::Joints<T> joints_;
   batch::Results<T> results_;
 };

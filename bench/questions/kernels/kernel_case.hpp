@@ -16,8 +16,8 @@ constexpr int load_count() {
 
 /// Loads and tangent as an assembly takes them: 3 and 3 x 6, or 12 and 12 x 12.
 template <Kind kind, bool with_tangent, class Accuracy, class T, class J>
-HALFWAY_INLINE void evaluate_kernel(const J& joint, const kernel::Node<T>& a, const kernel::Node<T>& b,
-                                    T* out) {
+HALFWAY_INLINE void evaluate_kernel(const J& joint, const kernel::NodePose<T>& a,
+                                    const kernel::NodePose<T>& b, T* out) {
   if constexpr (kind == Kind::angular)
     kernel::expand<with_tangent>(kernel::loads<with_tangent, Accuracy>(joint, a.q, b.q), out);
   else
@@ -26,7 +26,7 @@ HALFWAY_INLINE void evaluate_kernel(const J& joint, const kernel::Node<T>& a, co
 
 template <class T>
 struct KernelNodes {
-  std::vector<kernel::Node<T>> a, b;
+  std::vector<kernel::NodePose<T>> a, b;
 
   explicit KernelNodes(const Inputs& in) {
     const auto cast = [](const reference::QuaternionPose<double>& p) {

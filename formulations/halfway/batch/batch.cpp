@@ -46,8 +46,9 @@ detail::Evaluate<T> function(const detail::Functions<T>& f, Output output) {
 
 /// The same function, or its lean twin where this call can do with it.
 template <class T>
-detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, Law law, const Joints<T>& joints) {
-  const bool lean = law == Law::linear && joints.a == nullptr && output != Output::product;
+detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawForm law,
+                            const Joints<T>& joints) {
+  const bool lean = law == LawForm::linear && joints.a == nullptr && output != Output::product;
   const auto twin = output == Output::residual ? f.lean_residual : f.lean_tangent;
   return lean && twin != nullptr ? twin : function(f, output);
 }

@@ -24,7 +24,7 @@ struct Entry;
 
 /// Linear: the upper triangle of the symmetric K by rows, 6 or 21 numbers. Odd polynomial per axis,
 /// k1 e + k3 e^3 + k5 e^5: k1 of all axes, then k3, then k5, 9 or 18 numbers.
-enum class Law { linear, polynomial };
+enum class LawForm { linear, polynomial };
 
 /// What is computed. Rows of Results::loads, angular: m_b (m_a = -m_b); else f_b, m_a, m_b (f_a = -f_b).
 /// Signs: q = dU/dx, internal loads: add -q to your equations of motion.
@@ -38,12 +38,12 @@ enum class Output {
 struct Model {
   std::string formulation;  ///< a name of the catalog
   Kind kind = Kind::angular;
-  Law law = Law::linear;
+  LawForm law = LawForm::linear;
   std::optional<double> xi{};  ///< demanded by formulations that have one, read by no other
 };
 
-constexpr int law_rows(Kind kind, Law law) {
-  return kind == Kind::linear_angular ? (law == Law::linear ? 21 : 18) : law == Law::linear ? 6 : 9;
+constexpr int law_rows(Kind kind, LawForm law) {
+  return kind == Kind::linear_angular ? (law == LawForm::linear ? 21 : 18) : law == LawForm::linear ? 6 : 9;
 }
 constexpr int load_rows(Kind kind) { return kind == Kind::angular ? 3 : 9; }
 constexpr int direction_rows(Kind kind) { return kind == Kind::angular ? 6 : 12; }
@@ -78,8 +78,8 @@ struct Joints {
   Columns<const T> x_a{}, x_b{};  ///< 3 rows each, m; not read by angular joints
   Columns<const T> law{};         ///< law_rows; shared: one number a row (stride 1)
   bool law_per_joint = false;
-  const End<T>*a = nullptr, *b = nullptr;  ///< of all joints; none: the joint frames are the nodes
-  Columns<const T> direction{};            ///< (w_a, w_b) or (x_a, w_a, x_b, w_b), for Output::product alone
+  const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< of all joints; none: the joint frames are the nodes
+  Columns<const T> direction{};  ///< (w_a, w_b) or (x_a, w_a, x_b, w_b), for Output::product alone
 };
 
 template <class T>

@@ -18,7 +18,7 @@ struct Columns {
 
 /// Joint point o (m, node axes) and joint frame H (unit quaternion w, x, y, z, joint -> node axes).
 template <class T>
-struct End {
+struct BatchEnd {
   T o[3]{0, 0, 0};
   T H[4]{1, 0, 0, 0};
 };
@@ -32,7 +32,7 @@ struct Job {
   Columns<const T> q_a, q_b, x_a, x_b, law, direction;
   long law_step = 0;  ///< joints' law numbers follow one another: 1; shared, one pack of copies: 0
   bool polynomial = false;
-  const End<T>*a = nullptr, *b = nullptr;  ///< both or none
+  const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< both or none
   double xi = 0.5;
   Columns<T> loads, tangent;
   bool all_entries = false;  ///< 144 numbers instead of 81

@@ -20,7 +20,7 @@ struct Member {
 
 template <class T>
 struct EndPair {
-  End<T> a, b;
+  BatchEnd<T> a, b;
 };
 
 class Plan {

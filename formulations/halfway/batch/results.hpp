@@ -38,7 +38,7 @@ HALFWAY_INLINE Writer<past_caches, Number> writer(const Columns<Number>& c, long
 }
 
 template <bool past_caches, bool with_tangent, class P, class Number>
-HALFWAY_INLINE void put_through(const kernel::AngularLoads<P>& l, const Job<Number>& job, long i) {
+HALFWAY_INLINE void put_through(const kernel::MomentLoads<P>& l, const Job<Number>& job, long i) {
   writer<past_caches>(job.loads, i).vector(0, l.m);
   if constexpr (with_tangent) {
     const auto out = writer<past_caches>(job.tangent, i);
@@ -74,7 +74,7 @@ HALFWAY_INLINE void put(const L& loads, const Job<Number>& job, long i) {
 }
 
 template <class P, class Number>
-HALFWAY_INLINE void put_product(const kernel::AngularLoads<kernel::Dual<P>>& l, const Job<Number>& job,
+HALFWAY_INLINE void put_product(const kernel::MomentLoads<kernel::Dual<P>>& l, const Job<Number>& job,
                                 long i) {
   writer<false>(job.loads, i).vector(0, value(l.m));
   writer<false>(job.tangent, i).vector(0, derivative(l.m));

@@ -49,7 +49,7 @@ Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
   job.direction = moved(j.direction, r.begin);
   job.law = shared != nullptr ? Columns<const T>{shared->numbers, w.lanes} : moved(j.law, r.begin);
   job.law_step = shared != nullptr ? 0 : 1;
-  job.polynomial = w.model.law == Law::polynomial;
+  job.polynomial = w.model.law == LawForm::polynomial;
   job.a = j.a, job.b = j.b;
   job.xi = w.model.xi.value_or(0.5);
   job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);

@@ -33,7 +33,7 @@ HALFWAY_INLINE V3<T> constant(const Number* x) {
 
 /// One node as the kernel wants it: frame of the joint, and where the joint point is.
 template <class T>
-struct Node {
+struct PlacedNode {
   Quat<T> joint;
   V3<T> arm;  ///< from the node to the joint point, global axes
 };
@@ -46,8 +46,8 @@ HALFWAY_INLINE V3<T> rotated(const Quat<T>& q, const V3<T>& o) {
 }
 
 template <Kind kind, class P, class T, class Number>
-HALFWAY_INLINE Node<T> node(const Quat<T>& q, const End<Number>* end) {
-  Node<T> n{q, {}};
+HALFWAY_INLINE PlacedNode<T> node(const Quat<T>& q, const BatchEnd<Number>* end) {
+  PlacedNode<T> n{q, {}};
   if (end != nullptr) {
     n.joint = q * Quat<T>{T(P(double(end->H[0]))), constant<T, P>(end->H + 1)};
     if constexpr (kind != Kind::angular) n.arm = rotated(q, constant<T, P>(end->o));
@@ -90,8 +90,8 @@ void evaluate(const Job<Number>& call) {
   const K k = kernel_of<K>(job);
   for (long i = 0; i < job.count; i += P::kLanes) {
     const auto law = law_at<kind, P, Number, lean>(job, i);
-    const Node<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
-    const Node<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
+    const PlacedNode<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
+    const PlacedNode<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
     const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
     if constexpr (kind == Kind::angular) {
       put<with_tangent>(k.template angular<ExactAngle, with_tangent>(r, law), job, i);
@@ -118,8 +118,8 @@ void evaluate_product(const Job<Number>& job) {
     const kernel::LawAlong<decltype(law)> along{law};
     const V3<P> w_a = vector_at<P>(job.direction, kAngular ? 0 : 3, i);
     const V3<P> w_b = vector_at<P>(job.direction, kAngular ? 3 : 9, i);
-    const Node<T> a = node<kind, P>(moved(quaternion_at<P>(job.q_a, i), w_a), job.a);
-    const Node<T> b = node<kind, P>(moved(quaternion_at<P>(job.q_b, i), w_b), job.b);
+    const PlacedNode<T> a = node<kind, P>(moved(quaternion_at<P>(job.q_a, i), w_a), job.a);
+    const PlacedNode<T> b = node<kind, P>(moved(quaternion_at<P>(job.q_b, i), w_b), job.b);
     const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
     if constexpr (kAngular) {
       put_product(k.template angular<Angle, false>(r, along), job, i);

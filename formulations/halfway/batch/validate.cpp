@@ -65,7 +65,7 @@ void quaternions(const char* name, const Columns<const T>& c, long count) {
 }
 
 template <class T>
-void end(const char* name, const End<T>& e) {
+void end(const char* name, const BatchEnd<T>& e) {
   for (const T x : e.o) {
     if (!std::isfinite(x)) refuse(std::string(name) + ": an offset is " + number(double(x)));
   }

@@ -9,6 +9,8 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace halfway {
 
 /// The joint's load on b at its joint point and its derivative by (dx, psi), axes of P_a.
@@ -57,16 +59,29 @@ Eigen::Matrix<T, unknown_count(kind), 1> motion_size(const Pose<T>& joint) {
 }
 
 /// What rounding may leave of applied - internal, direction by direction: that of the loads that are added
-/// up, and of the motion, magnified by the tangent.
+/// up, and of the motion, magnified by the tangent. Loads are turned on their way to the nodes by up to the
+/// joint's rotation, and forces have an arm of up to x: what rounds in one direction is seen in the others.
 template <Kind kind, class T>
 Eigen::Matrix<T, unknown_count(kind), 1> rounding_of(const Balance<T, unknown_count(kind)>& inside,
                                                      const Applied<T, unknown_count(kind)>& outside,
                                                      const T& factor, const Pose<T>& joint) {
   using std::abs;
   constexpr int kRoundings = 8;  // between a pose and its loads; see verify: what random scenes need
-  return T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
-         (inside.load.cwiseAbs() + T(abs(factor)) * outside.size +
-          inside.tangent.cwiseAbs() * motion_size<kind>(joint));
+  const auto motion = motion_size<kind>(joint);
+  Eigen::Matrix<T, unknown_count(kind), 1> out =
+      T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
+      (inside.load.cwiseAbs() + T(abs(factor)) * outside.size + inside.tangent.cwiseAbs() * motion);
+  if constexpr (kind != Kind::linear) {
+    const T turn = std::min(T(1), T(motion.template tail<3>().norm()));
+    const T moments = turn * out.template tail<3>().norm();
+    if constexpr (kind == Kind::linear_angular) {
+      const T forces = out.template head<3>().norm();
+      out.template head<3>().array() += turn * forces;
+      out.template tail<3>().array() += motion.template head<3>().norm() * forces;
+    }
+    out.template tail<3>().array() += moments;
+  }
+  return out;
 }
 
 /// A loaded joint at one load factor: the system of Newton's method.

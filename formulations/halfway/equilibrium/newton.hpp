@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 namespace halfway {
 
@@ -31,13 +32,15 @@ struct NewtonRun {
 };
 
 /// A small correction proves nothing, a small imbalance in a stiff direction neither: what ends it well is an
-/// imbalance that is rounding in every direction, seen at the state that is returned.
+/// imbalance that is rounding in every direction, seen at the state that is returned. In a narrow valley
+/// (stiff axes that turn with the motion) one correction follows the floor and the next returns to it: they
+/// have to shrink over two.
 /// @param free  corrections that may grow: the first ones lead from afar
 template <class T, class System>
 NewtonRun<T> newton(System& system, int most_corrections, int free = 1) {
   using std::isfinite;
   NewtonRun<T> run{NewtonStop::too_many_corrections, 0};
-  for (T previous(0);; ++run.corrections) {
+  for (T previous(0), earlier(0);; ++run.corrections) {
     const NewtonLook<T> look = system.look();
     if (run.corrections == 0) run.first = look.size;
     if (run.corrections == 1) run.second = look.size;
@@ -45,11 +48,11 @@ NewtonRun<T> newton(System& system, int most_corrections, int free = 1) {
       run.stop = NewtonStop::not_finite;
     else if (look.is_rounding)
       run.stop = NewtonStop::rounding;
-    else if (run.corrections > free && !(look.size < previous))
+    else if (run.corrections > free && !(look.size < previous) && !(look.size < earlier))
       run.stop = NewtonStop::stalled;
     else if (run.corrections < most_corrections) {
       system.move();
-      previous = look.size;
+      earlier = std::exchange(previous, look.size);
       continue;
     }
     return run;

@@ -47,6 +47,13 @@ LinearLaw<T, N> orthotropic_law(const Eigen::Matrix<T, N, 1>& k) {
   return {Eigen::Matrix<T, N, N>(k.asDiagonal())};
 }
 
+/// The same of a list in braces.
+template <class T, int N, std::size_t M>
+LinearLaw<T, N> orthotropic_law(const T (&k)[M]) {
+  static_assert(M == N, "halfway: orthotropic_law<T, N> takes N stiffnesses");
+  return orthotropic_law<T, N>(Eigen::Matrix<T, N, 1>(k));
+}
+
 /// Per axis stress = k1 e + k3 e^3 + k5 e^5: odd, hence the same in tension and compression;
 /// hardening when k3, k5 > 0.
 template <class T, int N>

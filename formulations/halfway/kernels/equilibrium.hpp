@@ -30,7 +30,7 @@ HALFWAY_INLINE V3<T> sizes(const V3<T>& v) {
   return {T(abs(v.x)), T(abs(v.y)), T(abs(v.z))};
 }
 
-/// A joint under a moment: the system of Newton's method (equilibrium/newton.hpp).
+/// A joint under a moment: the system of Newton's method (halfway/equilibrium/newton.hpp).
 template <class T, class JointT>
 struct LoadedAngular {
   const JointT& joint;
@@ -41,7 +41,7 @@ struct LoadedAngular {
 
   HALFWAY_INLINE NewtonLook<T> look() {
     using std::sqrt;
-    const AngularLoads<T> l = loads<true>(joint, a, b);
+    const MomentLoads<T> l = loads<true>(joint, a, b);
     const V3<T> imbalance = moment - l.m;
     step = solved(l.wb, imbalance);
     const V3<T> s = sizes(step), off = sizes(imbalance);
@@ -73,9 +73,9 @@ struct AngularEquilibrium {
 /// One load step from `b`, until the imbalance is rounding in each direction.
 /// @param moment  on node b, global axes, N m; `b` unit quaternion of node b to start from
 template <class T, class K, class L, class E>
-AngularEquilibrium<T> solve(const Joint<Kind::angular, K, L, E>& joint, const Quat<T>& a, Quat<T> b,
+AngularEquilibrium<T> solve(const KernelJoint<Kind::angular, K, L, E>& joint, const Quat<T>& a, Quat<T> b,
                             const V3<T>& moment, int iterations = 12) {
-  LoadedAngular<T, Joint<Kind::angular, K, L, E>> system{joint, a, moment, b};
+  LoadedAngular<T, KernelJoint<Kind::angular, K, L, E>> system{joint, a, moment, b};
   const NewtonRun<T> run = newton<T>(system, iterations);
   return {system.b, run.stop == NewtonStop::rounding ? run.corrections : 0};
 }

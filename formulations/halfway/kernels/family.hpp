@@ -28,7 +28,7 @@ struct FamilyKernel {
 
   /// Moment on b and its derivatives. `Angle`: how exactly the rotation's angle is taken.
   template <class Angle, bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> angular(const Relative<T>& r, const L& law) const {
     const auto j = jet<Angle, Kind::angular, with_tangent>(r);
     if constexpr (kEuler<Measure>)
       return euler_angular<with_tangent>(r, j, law);
@@ -83,15 +83,15 @@ struct FamilyKernel {
   }
 
   template <bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> vector_angular(const Relative<T>& r, const AngleJet<T>& j,
-                                                const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> vector_angular(const Relative<T>& r, const AngleJet<T>& j,
+                                               const L& law) const {
     const Measured<T> e = measured<with_tangent>(r, j);
     const auto H = moment_frame<with_tangent>(r, j);
     const auto rate = H.rate(r, e);
     V3<T> m;
     S3<T> K;
     respond<with_tangent>(law, H.F, e.eta * r.v, e.eta * r.g, m, K);
-    AngularLoads<T> out;
+    MomentLoads<T> out;
     out.m = kConjugate ? rate.transposed_times(m) : m;
     if constexpr (with_tangent) {
       M3<T> w = rate.after(full(K));
@@ -104,13 +104,13 @@ struct FamilyKernel {
 
   /// In the frame of the moment: of a for virtual work, else the law's own.
   template <bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> euler_angular(const Relative<T>& r, const AngleJet<T>& j,
-                                               const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> euler_angular(const Relative<T>& r, const AngleJet<T>& j,
+                                              const L& law) const {
     const auto e = EulerKernel<Measure>::template values < with_tangent || kConjugate > (r);
     const auto F = euler_frame<with_tangent>(r, j);
     const V3<T> mbar = law.stress(e.e);
     const V3<T> y = kConjugate ? mbar * e.E : mbar;
-    AngularLoads<T> out;
+    MomentLoads<T> out;
     out.m = F.F * y;
     if constexpr (with_tangent) {
       M3<T> w = full(law.stiffness(e.e)) * euler_rate(r, F, e.E);

@@ -1,6 +1,6 @@
 // A joint between two nodes by its kernel: loads and tangent from positions and unit quaternions.
 //
-// The fast twin of formulations/joint.hpp: same loads, same signs, another text. With g++ compile with
+// The fast twin of halfway/joint.hpp: same loads, same signs, another text. With g++ compile with
 // -O3 -fno-tree-slp-vectorize: its packing of a single joint's numbers costs up to a factor of two.
 #pragma once
 
@@ -10,14 +10,14 @@ namespace halfway::kernel {
 
 /// Position (m, global axes) and orientation (node axes -> global axes) of a node.
 template <class T>
-struct Node {
+struct NodePose {
   V3<T> x;
   Quat<T> q;
 };
 
 /// Joint point o (m) and joint frame h of one end, constant in the node's axes [8].
 template <class T>
-struct End {
+struct KernelEnd {
   V3<T> o;
   Quat<T> h;
 };
@@ -27,12 +27,12 @@ struct NoEnds {};
 
 template <class T>
 struct Ends {
-  End<T> a, b;
+  KernelEnd<T> a, b;
 };
 
 /// @tparam K  a kernel, from KernelOf<Formulation>::make; L: a law of laws.hpp; E: NoEnds or Ends.
 template <Kind kind, class K, class L, class E = NoEnds>
-struct Joint {
+struct KernelJoint {
   K kernel;
   L law;
   [[no_unique_address]] E ends{};
@@ -71,8 +71,8 @@ HALFWAY_INLINE Relative<T> relative_of(const Ends<C>& ends, const Quat<T>& a, co
 
 /// Moment on b, N m, and its derivatives by the spins; nothing linear is read or computed.
 template <bool with_tangent, class Accuracy = Accuracy<>, class T, class K, class L, class E>
-HALFWAY_INLINE AngularLoads<T> loads(const Joint<Kind::angular, K, L, E>& joint, const Quat<T>& a,
-                                     const Quat<T>& b) {
+HALFWAY_INLINE MomentLoads<T> loads(const KernelJoint<Kind::angular, K, L, E>& joint, const Quat<T>& a,
+                                    const Quat<T>& b) {
   const Relative<T> r = relative_of<K, Kind::angular, typename Accuracy::Differences>(joint.ends, a, b);
   return joint.kernel.template angular<typename Accuracy::Angle, with_tangent>(r, joint.law);
 }
@@ -96,7 +96,8 @@ HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Rel
 
 /// Force on b, moments about both nodes, global axes, and their derivatives.
 template <bool with_tangent, class Accuracy = Accuracy<>, Kind kind, class T, class K, class L, class E>
-HALFWAY_INLINE PointLoads<T> loads(const Joint<kind, K, L, E>& joint, const Node<T>& a, const Node<T>& b) {
+HALFWAY_INLINE PointLoads<T> loads(const KernelJoint<kind, K, L, E>& joint, const NodePose<T>& a,
+                                   const NodePose<T>& b) {
   static_assert(kind != Kind::angular, "an angular joint takes orientations alone");
   const Relative<T> r = relative_of<K, kind, typename Accuracy::Differences>(joint.ends, a.q, b.q);
   using Angle = typename Accuracy::Angle;

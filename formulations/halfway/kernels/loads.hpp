@@ -7,7 +7,7 @@ namespace halfway::kernel {
 
 /// Moment on node b (a has the opposite), N m, and its derivatives by the spins; global axes.
 template <class T>
-struct AngularLoads {
+struct MomentLoads {
   V3<T> m;
   M3<T> wa, wb;
 };
@@ -99,7 +99,7 @@ struct Entries {
 
 /// Moment on b, then its 3 x 6 tangent by rows, columns (w_a, w_b).
 template <bool with_tangent, class T>
-HALFWAY_INLINE void expand(const AngularLoads<T>& l, T* out) {
+HALFWAY_INLINE void expand(const MomentLoads<T>& l, T* out) {
   const Entries<T> entries{out};
   entries.vector(0, l.m);
   if constexpr (with_tangent) entries.matrix(3, l.wa, 6), entries.matrix(6, l.wb, 6);

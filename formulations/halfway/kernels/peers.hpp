@@ -82,7 +82,7 @@ struct ChronoKernel {
   using AtB = FamilyKernel<FrameB, RotationVectorMeasure, Projected>;
 
   template <class Angle, bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> angular(const Relative<T>& r, const L& law) const {
     return AtB{}.template angular<Angle, with_tangent>(r, Reversed<L>{law});
   }
 
@@ -114,7 +114,7 @@ struct DrakeKernel {
   using Equivalent = FamilyKernel<FrameHalfway, Euler321, Conjugate>;
 
   template <class Angle, bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> angular(const Relative<T>& r, const L& law) const {
     return Equivalent{}.template angular<Angle, with_tangent>(r, law);
   }
 
@@ -145,7 +145,7 @@ struct ExudynKernel {
   using Half = FamilyKernel<FrameHalfway, RotationVectorMeasure, Projected>;
 
   template <class Angle, bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> angular(const Relative<T>& r, const L& law) const {
     return Half{}.template angular<Angle, with_tangent>(r, law);
   }
 
@@ -193,7 +193,7 @@ struct MbdynJointInvKernel {
   using AtA = FamilyKernel<FrameA, RotationVectorMeasure, Projected>;
 
   template <class Angle, bool with_tangent, class T, class L>
-  HALFWAY_INLINE AngularLoads<T> angular(const Relative<T>& r, const L& law) const {
+  HALFWAY_INLINE MomentLoads<T> angular(const Relative<T>& r, const L& law) const {
     return AtA{}.template angular<Angle, with_tangent>(r, law);
   }
 

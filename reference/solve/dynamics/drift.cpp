@@ -1,5 +1,6 @@
 #include "reference/solve/dynamics/drift.hpp"
 
+#include "reference/numbers/linear_algebra.hpp"
 #include "reference/record/worst.hpp"
 
 #include <algorithm>
@@ -9,17 +10,10 @@
 namespace halfway::reference::dynamics {
 namespace {
 
-/// Slope of a straight line through the samples by least squares.
 double slope(const std::vector<DriftSample>& samples) {
-  double t = 0, e = 0;
-  for (const auto& s : samples) t += s.period, e += s.energy;
-  t /= double(samples.size()), e /= double(samples.size());
-  double te = 0, tt = 0;
-  for (const auto& s : samples) {
-    te += (s.period - t) * (s.energy - e);
-    tt += (s.period - t) * (s.period - t);
-  }
-  return te / tt;
+  std::vector<std::array<double, 2>> points;
+  for (const auto& s : samples) points.push_back({s.period, s.energy});
+  return slope_of(points);
 }
 
 /// Momentum and angular momentum of the start's whole energy in the bodies together.

@@ -2,7 +2,10 @@
 
 #include "reference/solve/paths/continuation.hpp"
 
+#include "reference/record/worst.hpp"
+
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include <cmath>
 
@@ -23,6 +26,22 @@ double residual(const EquilibriumProblem<double>& problem, const ArcState<double
   return balance.imbalance.norm() / (load > 0 ? load : 1);
 }
 
+/// Largest of the outputs at the point's load factor, rad or m, as the solver of load steps has it; without a
+/// bound at a fold, where the factor turns.
+double error_of(const EquilibriumProblem<double>& problem, const ArcState<double>& point,
+                const Scene& scene) {
+  const NodeBalance<double> balance = problem.balance(point.b, point.factor);
+  const NodeVector<double> error =
+      balance.tangent.inverse().cwiseAbs() * balance.imbalance.cwiseAbs().cwiseMax(balance.rounding);
+  Outcome<double> state;
+  state.joint = point.b;
+  if (problem.kind() != Kind::linear) state.error.tail<3>() = error.tail<3>();
+  if (problem.kind() != Kind::angular) state.error.head<3>() = error.head<3>();
+  double largest = 0;
+  for (const std::string& output : scene.outputs) keep_largest(largest, problem.output_error(output, state));
+  return largest;
+}
+
 }  // namespace
 
 Curve follow_by_arc(const Scene& scene, const Choice& choice) {
@@ -37,6 +56,7 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
     for (const std::string& output : scene.outputs)
       row.push_back(continuation.problem().output(output, point.state.b));
     curve.rows.push_back(std::move(row));
+    curve.errors.push_back(error_of(continuation.problem(), point.state, scene));
   }
   curve.converged = path.end == PathEnd::end_factor;
   curve.outcome = described(path);

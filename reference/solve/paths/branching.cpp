@@ -1,6 +1,6 @@
 #include "reference/solve/paths/branching.hpp"
 
-#include "reference/solve/paths/singular_algebra.hpp"
+#include "reference/numbers/linear_algebra.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "reference/solve/paths/continuation.hpp"
 
-#include "reference/solve/paths/singular_algebra.hpp"
+#include "reference/numbers/linear_algebra.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 #include "reference/solve/paths/singular.hpp"
 
+#include "reference/numbers/linear_algebra.hpp"
+#include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/solve/paths/branching.hpp"
-#include "reference/solve/paths/singular_algebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,32 +59,6 @@ class Search {
   Singularity type_;
   ArcState<Real50> base_;
   ArcVector<Real50> tangent_;
-};
-
-bool opposite(const Real50& a, const Real50& b) { return (a < Real50(0)) != (b < Real50(0)); }
-
-/// False position with Illinois' weights, which keeps the bracket and converges faster than linearly.
-struct Bracket {
-  Trial low, high;
-  Real50 low_weight{1}, high_weight{1};
-  bool replaced_low = false, replaced_before = false;
-
-  Real50 guess() const {
-    const Real50 a = low_weight * low.value, b = high_weight * high.value;
-    return (low.distance * b - high.distance * a) / (b - a);
-  }
-  const Trial& nearer(const Real50& distance) const {
-    return abs(distance - low.distance) < abs(distance - high.distance) ? low : high;
-  }
-  void narrow(const Trial& trial) {
-    const bool replaces_low = !opposite(trial.value, low.value);
-    (replaces_low ? low : high) = trial;
-    (replaces_low ? low_weight : high_weight) = Real50(1);
-    if (replaced_before && replaces_low == replaced_low)
-      (replaces_low ? high_weight : low_weight) *= Real50(0.5);
-    replaced_low = replaces_low;
-    replaced_before = true;
-  }
 };
 
 double change(const Trial& a, const Trial& b, const EquilibriumProblem<Real50>& problem) {
@@ -152,19 +127,19 @@ Located locate(const ContinuationStep<Real50>& step, Singularity type, const Arc
   constexpr double kSamePoint = 1e-9;  // double against 50 digits at one point of one path
   const Real50 close(1e-24 * distance), gone(1e-12);
   const Search search(step, type, base, tangent);
-  Bracket bracket{search.at_base(), search.at(Real50(distance), widened(end))};
-  if (!bracket.low.converged || !bracket.high.converged) return {};
-  if (narrowed(step.difference(bracket.high.state, widened(end))).norm() > kSamePoint) return {};
-  if (!opposite(bracket.low.value, bracket.high.value)) return {SignChange::none, {}};
+  Bracket bracket(search.at_base(), search.at(Real50(distance), widened(end)));
+  if (!bracket.low().converged || !bracket.high().converged) return {};
+  if (narrowed(step.difference(bracket.high().state, widened(end))).norm() > kSamePoint) return {};
+  if (!opposite(bracket.low().value, bracket.high().value)) return {SignChange::none, {}};
   if (type == Singularity::branching) {
-    const auto found = branching_between(step, bracket.low, bracket.high, widened(tangent));
+    const auto found = branching_between(step, bracket.low(), bracket.high(), widened(tangent));
     if (found) return *found;
   }
   // A load factor that stays the same along a whole path turns back nowhere.
   const Real50 least(type == Singularity::fold ? 1e-12 : 0);
-  const Real50 highest = larger<Real50>(abs(bracket.low.value), abs(bracket.high.value));
+  const Real50 highest = larger<Real50>(abs(bracket.low().value), abs(bracket.high().value));
   if (highest < least) return {SignChange::none, {}};
-  Trial before = bracket.low;
+  Trial before = bracket.low();
   for (int i = 0; i < kTrials; ++i) {
     const Real50 guess = bracket.guess();
     const Trial trial = search.at(guess, bracket.nearer(guess));

@@ -1,5 +1,6 @@
 #include "reference/solve/stability/critical.hpp"
 
+#include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/solve/stability/critical_zeros.hpp"
 
@@ -7,13 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <numbers>
 #include <utility>
 
 namespace halfway::reference {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr int kBits = 60;            // of the width of a step: beyond rounding
 constexpr int kSteps = 1501;         // odd, so that no sample falls on a gimbal lock
 constexpr double kNothing = 1e-9;    // of the stiffness: rounding of moments is far below, a jump far above
 constexpr double kRounding = 1e-13;  // of a sixth power of rates in double
@@ -32,15 +33,6 @@ bool on_axis(const TurnedJoint<double>& joint, int axis, double scale) {
   Vec3<double> across = joint.m;
   across[axis] = 0;
   return joint.m.allFinite() && joint.m_w.allFinite() && across.norm() <= kNothing * scale;
-}
-
-/// The last angle at which `holds`, which it does at `low` and does not at `high`.
-double last_angle(const std::function<bool(double)>& holds, double low, double high) {
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
 }
 
 template <class T>
@@ -98,11 +90,11 @@ PrimaryPath::PrimaryPath(const Entry& entry, JointSpec spec, int axis, bool node
   };
   double scale = joint_at(0).m_w.norm();
   for (int i = 0; i <= kSteps; ++i) {
-    const double angle = (kPi - 1e-6) * i / kSteps;
+    const double angle = (std::numbers::pi - 1e-6) * i / kSteps;
     const TurnedJoint<double> now = joint_at(angle);
     if (!on_axis(now, axis_, scale)) {
       const auto holds = [&](double x) { return on_axis(joint_at(x), axis_, scale); };
-      end_angle_ = last_angle(holds, end_angle_, angle);
+      end_angle_ = last_where(holds, end_angle_, angle, kBits);
       end_ = SearchEnd::off_axis;
       return;
     }
@@ -133,7 +125,7 @@ CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyIner
       const auto holds = [&](double x) {
         return loaded_state<double>(entry_, spec_, axis_, setting, x, nodes_exchanged_).load > 0;
       };
-      out.end_angle = last_angle(holds, before_angle, s.angle);
+      out.end_angle = last_where(holds, before_angle, s.angle, kBits);
       out.end = SearchEnd::no_more_load;
       return out;
     }

@@ -1,33 +1,33 @@
 #include "reference/solve/stability/critical_zeros.hpp"
 
+#include "reference/numbers/zeros.hpp"
+
 namespace halfway::reference {
 namespace {
 
 const Real50 kRounding50("1e-40");
 
-/// The zero between a and b, where the values have other signs (Illinois: a secant that keeps the bracket);
-/// nothing at a pole, where the value does not shrink.
-std::optional<Real50> zero_between(const Function50& f, Real50 a, Real50 b) {
-  Real50 fa = f(a).value, fb = f(b).value;
-  const Real50 start = abs(fa) < abs(fb) ? abs(fa) : abs(fb), width("1e-42");
-  Real50 last = b, f_last = fb;
-  for (int i = 0; i < 100 && abs(b - a) > width && f_last != Real50(0); ++i) {
-    const Real50 next = (a * fb - b * fa) / (fb - fa);
-    f_last = f(next).value;
-    const bool done = abs(next - last) <= width;
+/// A point of the way and the function there.
+struct Sample {
+  Real50 distance, value;
+};
+
+/// The zero between a and b, where the values have other signs; nothing at a pole, where the value does not
+/// shrink.
+std::optional<Real50> zero_between(const Function50& f, const Real50& a, const Real50& b) {
+  const auto at = [&](const Real50& x) { return Sample{x, f(x).value}; };
+  Bracket bracket(at(a), at(b));
+  const Real50 start = abs(bracket.nearer_to_zero().value), width("1e-42");
+  Sample last = bracket.high();
+  for (int i = 0; i < 100 && last.value != Real50(0); ++i) {
+    const Sample next = at(bracket.guess());
+    const bool settled = abs(next.distance - last.distance) <= width;
     last = next;
-    if (done) break;
-    if ((f_last < Real50(0)) != (fb < Real50(0))) {
-      a = b;
-      fa = fb;
-    } else {
-      fa /= Real50(2);
-    }
-    b = next;
-    fb = f_last;
+    if (settled) break;
+    bracket.narrow(last);
   }
-  if (abs(f_last) > start * Real50(1e-6)) return std::nullopt;
-  return last;
+  if (abs(last.value) > start * Real50(1e-6)) return std::nullopt;
+  return last.distance;
 }
 
 /// The zero at which the value goes from positive to negative. Where two modes pass each other without

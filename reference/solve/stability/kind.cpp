@@ -1,7 +1,7 @@
 #include "reference/solve/stability/kind.hpp"
 
+#include "reference/numbers/linear_algebra.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/solve/paths/singular_algebra.hpp"
 
 #include <Eigen/LU>
 

@@ -121,7 +121,7 @@ Eigen::MatrixXd solve_interior(const System& system) {
 Mat24 incompatible_stiffness(const Eigen::Matrix<double, 3, 8>& X, const Material& material) {
   check(material);
   const ReferenceElement& reference = reference_element(ElementKind::hex8i);
-  const Mat6 D = respond(Law::st_venant, material, Mat3<double>::Zero()).D;
+  const Mat6 D = respond(SolidLaw::st_venant, material, Mat3<double>::Zero()).D;
   const Mat3<double> centre = centre_jacobian(X, reference);
   const Mat3<double> centre_inverse_transpose = centre.inverse().transpose();
   // Nodal unknowns, then internal modes.

@@ -103,21 +103,21 @@ LawResponse6 cauchy_log(double lambda, double mu, const Mat3<double>& E) {
 
 }  // namespace
 
-const char* to_string(Law law) {
+const char* to_string(SolidLaw law) {
   switch (law) {
-    case Law::st_venant:
+    case SolidLaw::st_venant:
       return "st_venant";
-    case Law::neo_hooke:
+    case SolidLaw::neo_hooke:
       return "neo_hooke";
-    case Law::hencky:
+    case SolidLaw::hencky:
       return "hencky";
     default:
       return "cauchy_log";
   }
 }
 
-Law law_named(const std::string& name) {
-  for (Law law : kLaws) {
+SolidLaw law_named(const std::string& name) {
+  for (SolidLaw law : kLaws) {
     if (name == to_string(law)) return law;
   }
   throw std::invalid_argument("law is \"" + name + "\"; allowed: st_venant, neo_hooke, hencky, cauchy_log");
@@ -129,14 +129,14 @@ void check(const Material& material) {
                               ", nu = " + std::to_string(material.nu) + "; allowed: E > 0, -1 < nu < 0.5");
 }
 
-LawResponse6 respond(Law law, const Material& material, const Mat3<double>& E) {
+LawResponse6 respond(SolidLaw law, const Material& material, const Mat3<double>& E) {
   const double lambda = material.lambda(), mu = material.mu();
   switch (law) {
-    case Law::st_venant:
+    case SolidLaw::st_venant:
       return st_venant(lambda, mu, E);
-    case Law::neo_hooke:
+    case SolidLaw::neo_hooke:
       return neo_hooke(lambda, mu, E);
-    case Law::hencky:
+    case SolidLaw::hencky:
       return hencky(lambda, mu, E);
     default:
       return cauchy_log(lambda, mu, E);
@@ -144,14 +144,14 @@ LawResponse6 respond(Law law, const Material& material, const Mat3<double>& E) {
 }
 
 // With C^-1 = I - 2E + 4E^2 - ..., ln J = tr E - tr E^2 + ..., ln C = 2E - 2E^2 + ...
-Quadratic quadratic(Law law, const Material& material) {
+Quadratic quadratic(SolidLaw law, const Material& material) {
   const double lambda = material.lambda(), mu = material.mu();
   switch (law) {
-    case Law::st_venant:
+    case SolidLaw::st_venant:
       return {0, 0, 0, 0};
-    case Law::neo_hooke:
+    case SolidLaw::neo_hooke:
       return {0, -lambda, -2 * lambda, -4 * mu};
-    case Law::hencky:
+    case SolidLaw::hencky:
       return {0, -lambda, -2 * lambda, -6 * mu};
     default:
       return {lambda, -lambda, -2 * lambda + 2 * mu, -6 * mu};  // J = 1 + tr E

@@ -16,12 +16,13 @@ namespace halfway::reference::fe {
 /// tangent is not symmetric.
 /// neo_hooke: W = mu/2 (tr C - 3 - 2 ln J) + lambda/2 (ln J)^2.
 /// st_venant: S = lambda tr(E) I + 2 mu E.
-enum class Law { st_venant, neo_hooke, hencky, cauchy_log };
-inline constexpr std::array<Law, 4> kLaws = {Law::st_venant, Law::neo_hooke, Law::hencky, Law::cauchy_log};
+enum class SolidLaw { st_venant, neo_hooke, hencky, cauchy_log };
+inline constexpr std::array<SolidLaw, 4> kLaws = {SolidLaw::st_venant, SolidLaw::neo_hooke, SolidLaw::hencky,
+                                                  SolidLaw::cauchy_log};
 
-const char* to_string(Law law);
+const char* to_string(SolidLaw law);
 /// Throws std::invalid_argument naming the value and what is allowed.
-Law law_named(const std::string& name);
+SolidLaw law_named(const std::string& name);
 
 struct Material {
   double E;   ///< Young's modulus, Pa
@@ -43,11 +44,11 @@ struct LawResponse6 {
 };
 
 /// E is Green's strain, given itself and not as C so that no digit of a small strain is lost.
-LawResponse6 respond(Law law, const Material& material, const Mat3<double>& E);
+LawResponse6 respond(SolidLaw law, const Material& material, const Mat3<double>& E);
 
 /// Coefficients of the quadratic part of S at E = 0:
 /// S_2 = [p1 tr(E)^2 + p2 tr(E^2)] I + p3 tr(E) E + p4 E^2, Pa.
 using Quadratic = std::array<double, 4>;
-Quadratic quadratic(Law law, const Material& material);
+Quadratic quadratic(SolidLaw law, const Material& material);
 
 }  // namespace halfway::reference::fe

@@ -42,7 +42,7 @@ class Solid {
   /// Nodal values of the interior as one vector, in the order of K.
   Eigen::VectorXd interior(const Eigen::Matrix3Xd& nodal) const;
 
-  Assembly assemble(Law law, const State& state) const;
+  Assembly assemble(SolidLaw law, const State& state) const;
   /// Force and moment about the moved reference point that the face's nodes exert, N and N m.
   Vec6 face_load(const State& state, const Eigen::Matrix3Xd& force) const;
 
@@ -60,9 +60,10 @@ class Solid {
   void find_pattern();
   void place_face(State& state) const;
   template <int nodes>
-  void assemble_range(Law law, const State& state, Eigen::Index begin, Eigen::Index end, Assembly& out) const;
+  void assemble_range(SolidLaw law, const State& state, Eigen::Index begin, Eigen::Index end,
+                      Assembly& out) const;
   template <int nodes>
-  Assembly assemble_all(Law law, const State& state) const;
+  Assembly assemble_all(SolidLaw law, const State& state) const;
   void scatter(Eigen::Index element, const Eigen::MatrixXd& K, Assembly& out) const;
   void scatter_face(Eigen::Index element, const Eigen::MatrixXd& K, const State& state, Assembly& out) const;
 

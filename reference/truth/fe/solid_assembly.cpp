@@ -48,7 +48,7 @@ void Solid::scatter_face(Eigen::Index element, const Eigen::MatrixXd& K, const S
 }
 
 template <int nodes>
-void Solid::assemble_range(Law law, const State& state, Eigen::Index begin, Eigen::Index end,
+void Solid::assemble_range(SolidLaw law, const State& state, Eigen::Index begin, Eigen::Index end,
                            Assembly& out) const {
   const Eigen::Index n_points = points();
   Eigen::Matrix<double, Eigen::Dynamic, 3 * nodes> B(6 * n_points, 3 * nodes), DB(6 * n_points, 3 * nodes);
@@ -95,7 +95,7 @@ void Solid::assemble_range(Law law, const State& state, Eigen::Index begin, Eige
 }
 
 template <int nodes>
-Assembly Solid::assemble_all(Law law, const State& state) const {
+Assembly Solid::assemble_all(SolidLaw law, const State& state) const {
   const auto empty = [&] {
     Assembly a;
     a.force = Eigen::Matrix3Xd::Zero(3, mesh_.X.cols());
@@ -118,7 +118,7 @@ Assembly Solid::assemble_all(Law law, const State& state) const {
   return first;
 }
 
-Assembly Solid::assemble(Law law, const State& state) const {
+Assembly Solid::assemble(SolidLaw law, const State& state) const {
   Assembly a =
       mesh_.element == ElementKind::hex27 ? assemble_all<27>(law, state) : assemble_all<20>(law, state);
   // The arm turns with the face: d(arm x f) = (dw x arm) x f = f x (arm x dw).

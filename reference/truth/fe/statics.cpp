@@ -17,7 +17,7 @@ constexpr double kCoarse = 1e-8;  ///< coarser than this is no result
 
 Vec3<double> Equilibrium::theta() const { return so3::log<double>(state.R); }
 
-Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
+Equilibrium Statics::solve(SolidLaw law, const Load& load, const State& start) {
   Equilibrium out;
   out.state = start;
   double last = 1;
@@ -73,7 +73,7 @@ Equilibrium Statics::solve(Law law, const Load& load, const State& start) {
 
 Statics::Linear Statics::linear() {
   const State state = solid_.unloaded();
-  const Assembly a = solid_.assemble(Law::st_venant, state);
+  const Assembly a = solid_.assemble(SolidLaw::st_venant, state);
   if (!cholesky_.factorize(a.K))
     throw std::domain_error("the interior's stiffness is not positive definite: a part of the mesh is loose");
   const Eigen::MatrixXd Y = cholesky_.solve(a.K_face);

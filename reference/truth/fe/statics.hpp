@@ -33,7 +33,7 @@ class Statics {
   const Solid& solid() const { return solid_; }
   /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8. The tangent
   /// is factored again only where the last one gains less than a digit per iteration.
-  Equilibrium solve(Law law, const Load& load, const State& start);
+  Equilibrium solve(SolidLaw law, const Load& load, const State& start);
 
   /// The six first-order fields: the face's compliance and every node's displacement for a unit load each.
   struct Linear {

@@ -1,7 +1,7 @@
 #include "reports/views/stability/basins.hpp"
 
-#include "verify/studies/limits/basin_map.hpp"
-#include "verify/studies/limits/newton_order.hpp"
+#include "verify/studies/newton/basin_map.hpp"
+#include "verify/studies/newton/newton_order.hpp"
 
 #include <cmath>
 

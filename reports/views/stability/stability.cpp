@@ -1,16 +1,23 @@
 #include "reports/views/stability/stability.hpp"
 
 #include "reports/views/stability/basins.hpp"
-#include "reports/views/stability/defects.hpp"
 #include "reports/views/stability/energy.hpp"
 #include "reports/views/stability/kind.hpp"
 #include "reports/views/stability/paths.hpp"
 #include "reports/views/stability/range.hpp"
+#include "verify/studies/joints/defects.hpp"
 
 #include <iterator>
 
 namespace halfway::reports {
 namespace {
+
+nlohmann::json defects_record() {
+  nlohmann::json out = nlohmann::json::array();
+  for (const verify::DefectSeries& s : verify::defect_series())
+    out.push_back({{"what", s.what}, {"formulation", s.formulation}, {"x", s.phi}, {"error", s.error}});
+  return out;
+}
 
 struct Part {
   const char* name;
@@ -18,7 +25,7 @@ struct Part {
 };
 constexpr Part kParts[] = {{"paths", stability_paths_record},   {"kind", stability_kind_record},
                            {"range", stability_range_record},   {"energy", stability_energy_record},
-                           {"basins", stability_basins_record}, {"defects", stability_defects_record}};
+                           {"basins", stability_basins_record}, {"defects", defects_record}};
 
 }  // namespace
 

@@ -24,13 +24,13 @@ BodyInertia body(const Written& written) {
   return out;
 }
 
-JointSpec spec_of(const Law& law, const Written& written) {
+JointSpec spec_of(const LawUnderTest& law, const Written& written) {
   JointSpec spec = written.scene.joint;
   spec.xi = law.xi;
   return spec;
 }
 
-double stored(const Law& law, const Written& written, const Pose<double>& moving) {
+double stored(const LawUnderTest& law, const Written& written, const Pose<double>& moving) {
   JointSpec spec = spec_of(law, written);
   Pose<double> a{}, b = moving;
   if (written.setting.nodes_exchanged) {
@@ -90,7 +90,7 @@ void include(Measurement& out, const std::optional<Critical>& a, const std::opti
 
 }  // namespace
 
-CurveAnswers curve_answers(const Law& law, const Written& written) {
+CurveAnswers curve_answers(const LawUnderTest& law, const Written& written) {
   const Scene& scene = written.scene;
   const EquilibriumProblem<double> problem(scene, *law.entry, law.xi, written.setting);
   Path<double> path(scene, *law.entry, law.xi, written.setting);
@@ -107,12 +107,12 @@ CurveAnswers curve_answers(const Law& law, const Written& written) {
   return out;
 }
 
-CriticalLoads critical_answers(const Law& law, const Written& written, int axis) {
+CriticalLoads critical_answers(const LawUnderTest& law, const Written& written, int axis) {
   const PrimaryPath path(*law.entry, spec_of(law, written), axis, written.setting.nodes_exchanged);
   return path.critical({MomentType::fixed, false}, body(written));
 }
 
-EquilibriumPath arc_answers(const Law& law, const Written& written) {
+EquilibriumPath arc_answers(const LawUnderTest& law, const Written& written) {
   ContinuationOptions options;
   options.end_factor = written.scene.factor_end;
   return Continuation(written.scene, *law.entry, law.xi, options, written.setting).from_rest();

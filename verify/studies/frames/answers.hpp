@@ -12,7 +12,7 @@
 namespace halfway::verify {
 
 /// A formulation and its xi, where it has one.
-struct Law {
+struct LawUnderTest {
   const reference::Entry* entry;
   double xi;
 };
@@ -26,13 +26,13 @@ struct CurveAnswers {
   std::vector<Eigen::VectorXd> modes;
   double condition = 1;  ///< of the tangent, the worst; where forces have other units than moments: 1
 };
-CurveAnswers curve_answers(const Law& law, const Written& written);
+CurveAnswers curve_answers(const LawUnderTest& law, const Written& written);
 
 /// Of the joint under a moment about its axis i; the body has the same place in space in every writing.
-reference::CriticalLoads critical_answers(const Law& law, const Written& written, int axis);
+reference::CriticalLoads critical_answers(const LawUnderTest& law, const Written& written, int axis);
 
 /// By arc length from rest, to the last load factor.
-reference::EquilibriumPath arc_answers(const Law& law, const Written& written);
+reference::EquilibriumPath arc_answers(const LawUnderTest& law, const Written& written);
 
 /// Largest change from one answer to the other, over the largest size of it along the path (of rotations, at
 /// least a thousandth of a radian); NaN where one

@@ -70,17 +70,17 @@ struct Worst {
 };
 
 /// The answers of the scenes as they are: every writing is compared with the same ones.
-const CurveAnswers& original_curve(const Law& law, const Scene& s) {
+const CurveAnswers& original_curve(const LawUnderTest& law, const Scene& s) {
   static Once<CurveAnswers, std::string, double> known;
   return known(*law.entry, s.name, s.factor_end, [&] { return curve_answers(law, as_it_is(s, {})); });
 }
 
-const reference::CriticalLoads& original_loads(const Law& law, int axis) {
+const reference::CriticalLoads& original_loads(const LawUnderTest& law, int axis) {
   static Once<reference::CriticalLoads, int> known;
   return known(*law.entry, axis, [&] { return critical_answers(law, as_it_is(scene(kCritical), {}), axis); });
 }
 
-const reference::EquilibriumPath& original_arc(const Law& law, const Scene& s) {
+const reference::EquilibriumPath& original_arc(const LawUnderTest& law, const Scene& s) {
   static Once<reference::EquilibriumPath, std::string> known;
   return known(*law.entry, s.name, [&] { return arc_answers(law, as_it_is(s, {})); });
 }
@@ -89,8 +89,8 @@ void keep(Measurement& worst, const Measurement& m, const std::string& at) {
   worst.include(m.value(), at + ": " + m.where());
 }
 
-void compare_curves(Worst& worst, const Law& law, const Law& partner, Scene s, Rewriting write,
-                    const Mat3<double>& H) {
+void compare_curves(Worst& worst, const LawUnderTest& law, const LawUnderTest& partner, Scene s,
+                    Rewriting write, const Mat3<double>& H) {
   if (original_curve(law, s).theta.empty()) s.factor_end /= 100;  // it carries less than the first point
   const CurveAnswers& original = original_curve(law, s);
   const CurveChanges c = changes(original, curve_answers(partner, write(s, H)));
@@ -103,7 +103,8 @@ void compare_curves(Worst& worst, const Law& law, const Law& partner, Scene s, R
 /// A turned law has no moment about one joint axis alone: its branchings are those of the arcs.
 bool has_joint_axes(const Writing& writing) { return writing.write != law_in_other_axes; }
 
-void compare_critical(Worst& worst, const Law& law, const Law& partner, const Written& written) {
+void compare_critical(Worst& worst, const LawUnderTest& law, const LawUnderTest& partner,
+                      const Written& written) {
   const Scene& s = scene(kCritical);
   for (int axis : kFlutterAxes) {
     keep(worst.flutter, change(original_loads(law, axis), critical_answers(partner, written, axis)),
@@ -172,7 +173,7 @@ std::vector<Finding> in_writing(const Entry& entry, const Writing& writing) {
   const auto partner_of = [&](Kind kind) { return exchanged ? exchange_partner(entry, kind) : own(entry); };
   if (!partner_of(Kind::angular))
     return {left_out(entry, writing, "depends on the order of the nodes, and no formulation is its image")};
-  const Law law = *own(entry), partner = *partner_of(Kind::angular);
+  const LawUnderTest law = *own(entry), partner = *partner_of(Kind::angular);
   Worst worst;
   for (const Vec3<double>& turn : kTurns) {
     const Mat3<double> H = so3::exp<double>(turn);

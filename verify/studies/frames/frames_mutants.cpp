@@ -1,6 +1,7 @@
 // Wrong writings and roads that forget a frame: each must be seen by the measurement that the study makes.
 #include "verify/studies/frames/frames.hpp"
 
+#include "reference/numbers/zeros.hpp"
 #include "reference/solve/buckling.hpp"
 #include "verify/oracle/mutants/verdicts.hpp"
 #include "verify/oracle/scene_access.hpp"
@@ -43,12 +44,12 @@ Written inertia_left_behind(const Scene& s, const Mat3<double>& H) {
   return out;
 }
 
-Law law_of(const char* name) { return *own(*reference::find_formulation(name)); }
+LawUnderTest law_of(const char* name) { return *own(*reference::find_formulation(name)); }
 
 /// Of the invariant law.
 CurveChanges curve_changes(Rewriting write) {
   const Mat3<double> H = so3::exp<double>(kTurns[0]);
-  const Law law = law_of("invariant");
+  const LawUnderTest law = law_of("invariant");
   return changes(curve_answers(law, as_it_is(scene(kScene), H)), curve_answers(law, write(scene(kScene), H)));
 }
 
@@ -68,14 +69,9 @@ double critical_in_node_axes(const reference::Entry& entry, const reference::Joi
   };
   constexpr double kStep = 1e-3;
   const bool start = loads_at(0).m_b_wb.determinant() < 0;
+  const auto as_before = [&](double angle) { return (loads_at(angle).m_b_wb.determinant() < 0) == start; };
   for (double low = 0; low + kStep < 3.14; low += kStep) {
-    double a = low, b = low + kStep;
-    if ((loads_at(b).m_b_wb.determinant() < 0) == start) continue;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (a + b) / 2;
-      ((loads_at(middle).m_b_wb.determinant() < 0) == start ? a : b) = middle;
-    }
-    return loads_at(a).m_b[axis];
+    if (!as_before(low + kStep)) return loads_at(last_where(as_before, low, low + kStep, 60)).m_b[axis];
   }
   return 0;
 }
@@ -96,7 +92,7 @@ Measurement critical_change(double (*critical)(const reference::Entry&, const re
 
 /// Flutter of attached_a about axis 3 when the body's inertia stays in the axes that the node had.
 Measurement flutter_change(Rewriting write) {
-  const Law law = law_of("attached_a");
+  const LawUnderTest law = law_of("attached_a");
   const Mat3<double> H = so3::exp<double>(kTurns[0]);
   return change(critical_answers(law, as_it_is(scene(kScene), H), 2),
                 critical_answers(law, write(scene(kScene), H), 2));

@@ -38,7 +38,7 @@ Written skewed(double angle) {
 
 /// The path has to come out somewhere: over the branching, along its axis, or off it.
 std::vector<Finding> named_branchings(const reference::Entry& entry, const Skew& skew) {
-  const Law law = *own(entry);
+  const LawUnderTest law = *own(entry);
   const Written written = skewed(skew.angle);
   const auto path = arc_answers(law, written);
   const auto is_branching = [](const auto& s) { return s.type == Singularity::branching; };

@@ -28,10 +28,12 @@ const TurnSequence* turn_sequence(std::string_view formulation) {
   return nullptr;
 }
 
-std::optional<Law> own(const reference::Entry& entry) { return Law{&entry, entry.probe_xi}; }
+std::optional<LawUnderTest> own(const reference::Entry& entry) {
+  return LawUnderTest{&entry, entry.probe_xi};
+}
 
-std::optional<Law> exchange_partner(const reference::Entry& entry, Kind kind) {
-  if (entry.needs_xi) return Law{&entry, 1 - entry.probe_xi};
+std::optional<LawUnderTest> exchange_partner(const reference::Entry& entry, Kind kind) {
+  if (entry.needs_xi) return LawUnderTest{&entry, 1 - entry.probe_xi};
   if (entry.facts.node_order.of(kind).holds()) return own(entry);
   for (const Partners& p : kPartners) {
     const std::string_view partner = kind == Kind::angular ? p.angular : p.linear_angular;

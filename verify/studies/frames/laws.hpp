@@ -17,9 +17,9 @@ struct TurnSequence {
 const TurnSequence* turn_sequence(std::string_view formulation);
 
 /// The formulation at the xi of its probes.
-std::optional<Law> own(const reference::Entry& entry);
+std::optional<LawUnderTest> own(const reference::Entry& entry);
 
 /// Who answers the same when the nodes are listed in the other order; nothing where nobody does.
-std::optional<Law> exchange_partner(const reference::Entry& entry, Kind kind);
+std::optional<LawUnderTest> exchange_partner(const reference::Entry& entry, Kind kind);
 
 }  // namespace halfway::verify

@@ -55,15 +55,15 @@ Scene small_load() {
 }
 
 /// NaN of a path that arrives nowhere.
-Vec3<double> theta_of(const Law& law, const Written& written) {
+Vec3<double> theta_of(const LawUnderTest& law, const Written& written) {
   const auto theta = curve_answers(law, written).theta;
   return theta.empty() ? Vec3<double>::Constant(std::nan("")) : theta.back();
 }
 
-Finding compared(const TurnSequence& s, const char* what, const Quadratic& dQ, const Law& changed,
+Finding compared(const TurnSequence& s, const char* what, const Quadratic& dQ, const LawUnderTest& changed,
                  const Written& written) {
   const Scene original = small_load();
-  const Law law = *own(*reference::find_formulation(s.formulation));
+  const LawUnderTest law = *own(*reference::find_formulation(s.formulation));
   const Vec3<double> theta = theta_of(law, as_it_is(original, {}));
   const Vec3<double> change = theta_of(changed, written) - theta;
   const Vec3<double> expected = predicted(s, dQ, original, theta);

@@ -22,8 +22,8 @@ void compare(Checks& checks, const char* formulation, double xi, const std::stri
              return {at_most(name, "closed_form", {NAN, "not in the catalog"}, 0, "", Oracle::none, "")};
            std::vector<Probe> set = probes(*entry, kind, 6, 2.4);
            for (Probe& probe : set) probe.spec.xi = xi;
-           Finding f = at_most(name, "closed_form", load_difference(of(*entry), twin<Form>(), set), kRounding,
-                               "", Oracle::closed_form, kRoundingReason);
+           Finding f = at_most(name, "closed_form", load_difference(under_test(*entry), twin<Form>(), set),
+                               kRounding, "", Oracle::closed_form, kRoundingReason);
            f.formulation = formulation;
            f.kind = to_string(kind);
            return {f};

@@ -9,7 +9,8 @@ void energy_gradient(Checks& checks) {
       [](const Entry& entry, Kind kind, Draft f) {
         if (!entry.has_potential(kind))
           return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
-        return hold(f, energy_gradient(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::independent);
+        return hold(f, energy_gradient(under_test(entry), probes(entry, kind, 8, 3.0)), {},
+                    Oracle::independent);
       });
 }
 

@@ -87,12 +87,14 @@ Finding scalar(const char* name) {
 void laws(Checks& checks) {
   const auto kinds = {Kind::angular, Kind::linear, Kind::linear_angular};
   add_property(checks, "tangent_hardening", kinds, [](const Entry& entry, Kind kind, Draft f) {
-    return hold(f, tangent_by_duals(of(entry), hardening_probes(entry, kind)), {}, Oracle::independent);
+    return hold(f, tangent_by_duals(under_test(entry), hardening_probes(entry, kind)), {},
+                Oracle::independent);
   });
   add_property(checks, "energy_gradient_hardening", kinds, [](const Entry& entry, Kind kind, Draft f) {
     if (!entry.has_potential(kind))
       return f.left_out("this formulation has no potential of this kind; see symmetry and loop_work");
-    return hold(f, energy_gradient(of(entry), hardening_probes(entry, kind)), {}, Oracle::independent);
+    return hold(f, energy_gradient(under_test(entry), hardening_probes(entry, kind)), {},
+                Oracle::independent);
   });
   checks.push_back({"laws/callable", "properties", callable});
   checks.push_back({"laws/scalars", "properties", [] {

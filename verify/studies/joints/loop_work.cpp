@@ -8,7 +8,7 @@ constexpr double kAmplitude = 0.4;
 
 Finding relative_work(const Entry& entry, Kind kind, Draft f) {
   const JointSpec spec = probes(entry, kind, 1, 0.8).front().spec;
-  const Measurement work{loop_work(of(entry), spec, kAmplitude).relative(), "loop amplitude 0.4"};
+  const Measurement work{loop_work(under_test(entry), spec, kAmplitude).relative(), "loop amplitude 0.4"};
   const Band& band = entry.facts.loop_work.of(kind);
   f = hold(f, work, band, Oracle::closed_form).in("relative to the turnover");
   if (!band.holds()) return f;

@@ -7,7 +7,7 @@ namespace halfway::verify {
 void moment_balance(Checks& checks) {
   add_property(checks, "moment_balance", {Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
-                 return hold(f, moment_balance(of(entry), probes(entry, kind, 8, 0.8)),
+                 return hold(f, moment_balance(under_test(entry), probes(entry, kind, 8, 0.8)),
                              entry.facts.moment_balance.of(kind), Oracle::closed_form);
                });
 }

@@ -6,7 +6,8 @@ namespace halfway::verify {
 void objectivity(Checks& checks) {
   add_property(checks, "objectivity", {Kind::angular, Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
-                 return hold(f, objectivity(of(entry), probes(entry, kind, 8, 3.0)), {}, Oracle::closed_form);
+                 return hold(f, objectivity(under_test(entry), probes(entry, kind, 8, 3.0)), {},
+                             Oracle::closed_form);
                });
 }
 

@@ -15,7 +15,7 @@ constexpr const char* kResolutionReason =
 using Coefficient = double Fingerprint::*;
 
 Finding coefficient(const Entry& entry, Draft f, Coefficient member, double expected) {
-  const Fingerprint print = fingerprint(of(entry), entry.probe_xi);
+  const Fingerprint print = fingerprint(under_test(entry), entry.probe_xi);
   f.in("-");
   if (!entry.facts.has_fingerprint)
     return f.measured(print.residual)

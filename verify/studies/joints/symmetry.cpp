@@ -6,7 +6,7 @@ namespace halfway::verify {
 void symmetry(Checks& checks) {
   add_property(checks, "symmetry", {Kind::angular, Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
-                 return hold(f, symmetry_defect(of(entry), probes(entry, kind, 8, 0.8)),
+                 return hold(f, symmetry_defect(under_test(entry), probes(entry, kind, 8, 0.8)),
                              entry.facts.symmetry.of(kind), Oracle::closed_form);
                });
 }

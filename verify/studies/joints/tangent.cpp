@@ -6,7 +6,7 @@ namespace halfway::verify {
 void tangent(Checks& checks) {
   add_property(checks, "tangent", {Kind::angular, Kind::linear, Kind::linear_angular},
                [](const Entry& entry, Kind kind, Draft f) {
-                 return hold(f, tangent_by_duals(of(entry), probes(entry, kind, 8, 3.0)), {},
+                 return hold(f, tangent_by_duals(under_test(entry), probes(entry, kind, 8, 3.0)), {},
                              Oracle::independent);
                });
 }

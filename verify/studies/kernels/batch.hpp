@@ -22,18 +22,20 @@ struct BatchJoint {
 /// 40 joints with their loads: phi from 0 and 1e-3 to pi - 1e-12, quaternions of both signs, a law each.
 /// @param single  poses rounded to float, and none nearer to pi than float can tell
 /// @param ends  third turns and offsets of order one on both nodes; else none
-std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::Law law, bool ends, bool single);
+std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::LawForm law, bool ends,
+                                     bool single);
 
 /// The tables of some joints, and of their results.
 template <class T>
 struct BatchTables {
   batch::Model model;
   batch::Table<T> q_a, q_b, x_a, x_b, law, direction, loads, tangent;
-  batch::End<T> end_a, end_b;
+  batch::BatchEnd<T> end_a, end_b;
   bool ends;
   long count;
 
-  BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, batch::Law law, bool ends, int rows);
+  BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, batch::LawForm law, bool ends,
+              int rows);
   batch::Joints<T> joints() const;
   batch::Results<T> results() { return {loads.columns(), tangent.columns()}; }
   /// Loads and, if `output` has them, all 144 entries of joint i.

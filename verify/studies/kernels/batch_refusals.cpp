@@ -13,7 +13,7 @@
 namespace halfway::verify {
 namespace {
 
-using batch::Batch, batch::Isa, batch::Law, batch::Output;
+using batch::Batch, batch::Isa, batch::LawForm, batch::Output;
 using Tables = BatchTables<double>;
 
 /// 1 if nothing is thrown, or a message that lacks one of the words.

@@ -12,7 +12,7 @@
 namespace halfway::verify {
 namespace {
 
-using batch::Batch, batch::Isa, batch::Law, batch::Options, batch::Output, batch::Streaming;
+using batch::Batch, batch::Isa, batch::LawForm, batch::Options, batch::Output, batch::Streaming;
 using Tables = BatchTables<double>;
 
 /// A number no kernel makes: what it lies on was not written.
@@ -117,7 +117,7 @@ Finding mixed() {
   for (const Entry& entry : reference::formulations()) {
     if (!Batch::knows(entry.name)) continue;
     for (const Kind kind : kKinds) {
-      members.push_back({{std::string(entry.name), kind, Law::linear, entry.probe_xi}, 0});
+      members.push_back({{std::string(entry.name), kind, LawForm::linear, entry.probe_xi}, 0});
       joints.push_back(repeated(kind, 4)[3]);
     }
   }
@@ -130,7 +130,7 @@ Finding mixed() {
   const batch::EndPair<double> ends{{{0.3, -0.2, 0.1}, {0.5, 0.5, 0.5, 0.5}}, {{0, 0.1, 0.2}, {1, 0, 0, 0}}};
   for (int k = 0; k < count; ++k) {
     const BatchJoint& j = joints[of_joint[plan.order()[k]]];
-    const Tables one(invariant(), {j}, Law::linear, true, 1);
+    const Tables one(invariant(), {j}, LawForm::linear, true, 1);
     for (int c = 0; c < 4; ++c) q_a(c, k) = one.q_a(c, 0), q_b(c, k) = one.q_b(c, 0);
     for (int c = 0; c < 3; ++c) x_a(c, k) = one.x_a(c, 0), x_b(c, k) = one.x_b(c, 0);
     for (int c = 0; c < one.law.rows(); ++c) law(c, k) = one.law(c, 0);
@@ -147,7 +147,7 @@ Finding mixed() {
   int wrong = plan.count() != count;
   for (int i = 0; i < count; ++i) {
     const batch::Model& model = members[of_joint[i]].model;
-    Tables one(invariant(), {joints[of_joint[i]]}, Law::linear, true, 81);
+    Tables one(invariant(), {joints[of_joint[i]]}, LawForm::linear, true, 81);
     auto single = one.joints();
     single.a = &ends.a, single.b = &ends.b;
     Batch(model).evaluate(single, one.results(), Output::tangent);

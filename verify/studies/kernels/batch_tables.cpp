@@ -10,7 +10,7 @@
 namespace halfway::verify {
 namespace {
 
-using batch::Columns, batch::Law, batch::Output;
+using batch::Columns, batch::LawForm, batch::Output;
 
 /// 0, the decades from 1e-3, both sides of every third of a turn, and toward pi.
 std::vector<double> angles(bool single) {
@@ -22,8 +22,8 @@ std::vector<double> angles(bool single) {
   return out;
 }
 
-reference::LawSpec law_of(const reference::LawSpec& linear, Law law, reference::Generator& g) {
-  if (law == Law::linear) return linear;
+reference::LawSpec law_of(const reference::LawSpec& linear, LawForm law, reference::Generator& g) {
+  if (law == LawForm::linear) return linear;
   const auto n = std::get<reference::LinearSpec>(linear).matrix.rows();
   const auto numbers = [&] {
     Eigen::VectorXd v(n);
@@ -89,13 +89,13 @@ void fill_law(batch::Table<T>& table, long i, const reference::LawSpec& spec) {
 }
 
 template <class T>
-batch::End<T> end_of(const JointEnd<double>& e) {
+batch::BatchEnd<T> end_of(const JointEnd<double>& e) {
   const auto q = so3::quaternion<double>(e.H);
   return {{T(e.o[0]), T(e.o[1]), T(e.o[2])}, {T(q.w), T(q.v[0]), T(q.v[1]), T(q.v[2])}};
 }
 
 /// Nothing solved yet. Laws have a generator of their own, so that all kinds and laws are in the same poses.
-std::vector<BatchJoint> posed(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
+std::vector<BatchJoint> posed(const Entry& entry, Kind kind, LawForm law, bool ends, bool single) {
   reference::Generator g(512), of_law(513);
   const auto laws = probes(entry, kind, 8, 1);
   std::vector<BatchJoint> out;
@@ -122,7 +122,7 @@ std::vector<BatchJoint> posed(const Entry& entry, Kind kind, Law law, bool ends,
 
 }  // namespace
 
-std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, bool ends, bool single) {
+std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, LawForm law, bool ends, bool single) {
   std::vector<BatchJoint> out = sampled(posed(entry, kind, law, ends, single), 6);
   for (BatchJoint& j : out) solve(entry, j);
   if (kind == Kind::linear) return out;
@@ -132,8 +132,8 @@ std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, Law law, boo
 }
 
 template <class T>
-BatchTables<T>::BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, Law law_, bool ends_,
-                            int rows)
+BatchTables<T>::BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm law_,
+                            bool ends_, int rows)
     : model{std::string(entry.name), joints[0].spec.kind, law_, joints[0].spec.xi},
       q_a(4, long(joints.size())),
       q_b(4, long(joints.size())),
@@ -215,14 +215,14 @@ Finding counted(const std::string& name, double wrong, const std::string& reason
 const Entry& invariant() { return *reference::find_formulation("invariant"); }
 
 std::vector<BatchJoint> repeated(Kind kind, int count) {
-  const auto some = posed(invariant(), kind, batch::Law::linear, true, false);
+  const auto some = posed(invariant(), kind, batch::LawForm::linear, true, false);
   std::vector<BatchJoint> out;
   for (int i = 0; i < count; ++i) out.push_back(some[i % some.size()]);
   return out;
 }
 
 BatchTables<double> tables_of(const std::vector<BatchJoint>& joints, batch::Output output) {
-  return BatchTables<double>(invariant(), joints, batch::Law::linear, true,
+  return BatchTables<double>(invariant(), joints, batch::LawForm::linear, true,
                              std::max(1, batch::tangent_rows(joints[0].spec.kind, output)));
 }
 

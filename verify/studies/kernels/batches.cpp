@@ -10,7 +10,7 @@
 namespace halfway::verify {
 namespace {
 
-using batch::Batch, batch::Isa, batch::Law, batch::Output;
+using batch::Batch, batch::Isa, batch::LawForm, batch::Output;
 
 struct Errors {
   Measurement loads, tangent, product;
@@ -50,7 +50,7 @@ void include_product(const BatchTables<T>& tables, const BatchJoint& j, long i, 
 }
 
 template <class T>
-void evaluate(const Entry& entry, const std::vector<BatchJoint>& joints, Law law, bool ends, Isa isa,
+void evaluate(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm law, bool ends, Isa isa,
               Output output, Errors& errors) {
   BatchTables<T> tables(entry, joints, law, ends,
                         std::max(1, batch::tangent_rows(joints[0].spec.kind, output)));
@@ -91,25 +91,26 @@ constexpr double kProduct = 3;
 using JointSets = std::vector<BatchJoint>;
 
 template <class T>
-void all_outputs(const Entry& entry, const JointSets& joints, Law law, bool ends, Isa isa, Errors& errors) {
+void all_outputs(const Entry& entry, const JointSets& joints, LawForm law, bool ends, Isa isa,
+                 Errors& errors) {
   for (const Output output : {Output::residual, Output::tangent, Output::tangent_144, Output::product}) {
     evaluate<T>(entry, joints, law, ends, isa, output, errors);
   }
 }
 
 std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
-  const JointSets linear = batch_joints(entry, kind, Law::linear, true, false);
-  const JointSets bare = batch_joints(entry, kind, Law::linear, false, false);
-  const JointSets odd = batch_joints(entry, kind, Law::polynomial, true, false);
-  const JointSets single = batch_joints(entry, kind, Law::linear, true, true);
+  const JointSets linear = batch_joints(entry, kind, LawForm::linear, true, false);
+  const JointSets bare = batch_joints(entry, kind, LawForm::linear, false, false);
+  const JointSets odd = batch_joints(entry, kind, LawForm::polynomial, true, false);
+  const JointSets single = batch_joints(entry, kind, LawForm::linear, true, true);
   std::vector<Finding> out;
   for (const Isa isa : kIsas) {
     if (!batch::available(isa)) continue;
     Errors errors, of_odd, in_float;
-    all_outputs<double>(entry, linear, Law::linear, true, isa, errors);
-    all_outputs<double>(entry, bare, Law::linear, false, isa, errors);
-    all_outputs<double>(entry, odd, Law::polynomial, true, isa, of_odd);
-    all_outputs<float>(entry, single, Law::linear, true, isa, in_float);
+    all_outputs<double>(entry, linear, LawForm::linear, true, isa, errors);
+    all_outputs<double>(entry, bare, LawForm::linear, false, isa, errors);
+    all_outputs<double>(entry, odd, LawForm::polynomial, true, isa, of_odd);
+    all_outputs<float>(entry, single, LawForm::linear, true, isa, in_float);
     const std::string of = std::string("batch_") + batch::to_string(isa);
     const auto hold = [&](const char* what, const Measurement& error, double at_most, const char* reason) {
       out.push_back(property_finding(entry, kind, of + what)

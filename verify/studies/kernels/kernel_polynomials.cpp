@@ -1,4 +1,4 @@
-// Every polynomial of formulations/kernels/coefficients.hpp against its function at 50 digits.
+// Every polynomial of halfway/kernels/core/coefficients.hpp against its function at 50 digits.
 //
 // The functions are taken from their closed forms in sines and arctangents, the derivatives of
 // h(w) = phi / sin(phi/2), w = cos(phi/2), from (1 - w^2) h_w = w h - 2 and what follows by

@@ -65,15 +65,6 @@ std::vector<Finding> over_phi(const Entry& entry) {
   return out;
 }
 
-/// Solves that Newton ends too early, known by formulation: stiff axes make its convergence slow at first,
-/// and a step below 1e-5 rad is taken for rounding.
-int known_unfinished(const Entry& entry) {
-  return entry.name == "simbody_xyz" || entry.name == "drake_rpy" ? 1 : 0;
-}
-constexpr const char* kUnfinishedReason =
-    "known failure at a ratio of 1e8: called converged where the last step was below 1e-5 rad, but no "
-    "rounding";
-
 std::vector<Finding> over_ratio(const Entry& entry) {
   const ErrorRows& rows = errors(entry, errors_over_ratio);
   const Scale none = [](double) { return 1.; };
@@ -99,10 +90,8 @@ std::vector<Finding> over_ratio(const Entry& entry) {
         .at_most(0, why)
         .by(Oracle::closed_form);
   };
-  Draft end =
-      counted("conditioning_ratio_unfinished", unfinished, "what is called converged has ended at rounding");
-  if (const int known = known_unfinished(entry)) end.within(0, known, kUnfinishedReason);
-  out.push_back(end);
+  out.push_back(
+      counted("conditioning_ratio_unfinished", unfinished, "what is called converged has ended at rounding"));
   out.push_back(counted("conditioning_ratio_unsolved", unsolved,
                         "0.3 rad about the softest axis is far from any limit point"));
   return out;

@@ -4,6 +4,7 @@
 #include "verify/effort.hpp"
 #include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/replay.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/studies/limits/random_scene.hpp"
 #include "verify/studies/limits/random_scene_text.hpp"
@@ -38,12 +39,17 @@ struct Tally {
   Measurement estimate;    ///< the same over the solver's own estimate
 };
 
-void include_truth(double distance, const Outcome<double>& state, const std::string& where, Tally& tally) {
+void include_truth(const Entry& entry, const RandomScene& random, const Outcome<double>& state,
+                   const std::string& where, Tally& tally) {
   constexpr double kRead = 4e-16;  // of a pose's own numbers
   const double size = 1 + state.joint.x.norm();
   const double estimate = state.error.tail<3>().norm() + state.error.head<3>().norm() / size + kRead;
-  tally.from_truth.include(distance, where);
-  tally.estimate.include(distance / estimate, where);
+  const double distance = distance_to_equilibrium(random, entry, state);
+  const auto worst = [&](Measurement& of, double value) {
+    if (of.include(value, where)) of.set_replay(scene_text(random.scene, entry, random.xi, random.setting));
+  };
+  worst(tally.from_truth, distance);
+  worst(tally.estimate, distance / estimate);
 }
 
 void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& tally) {
@@ -53,8 +59,7 @@ void solve_one(const Entry& entry, const RandomScene& random, int index, Tally& 
   const std::string where = fmt::format("scene {}, {}", index, to_string(random.scene.joint.kind));
   if (end > 3 || !is_finite(random, entry, state)) ++tally.broken;
   if (end <= 3) ++tally.ends[end];
-  if (state.status == Status::converged)
-    include_truth(distance_to_equilibrium(random, entry, state), state, where, tally);
+  if (state.status == Status::converged) include_truth(entry, random, state, where, tally);
 }
 
 /// What a user reads: a sentence, and no row that is not a number.

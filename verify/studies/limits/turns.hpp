@@ -81,7 +81,7 @@ const std::vector<Gimbal>& gimbal_locks(const Entry& entry);
 /// Moment about the generic axis, n.m / n.K n (rad), over phi in double.
 struct TurnCurve {
   std::string formulation{};
-  bool unwrapped = false;  ///< the rotation vector goes on beyond pi: formulations/unwrapped.hpp
+  bool unwrapped = false;  ///< the rotation vector goes on beyond pi: halfway/joint/unwrapped.hpp
   std::vector<double> phi{}, moment{};
 };
 

@@ -50,8 +50,8 @@ const SmallLoops& small_loops(const Entry& entry, Kind kind) {
   static Once<SmallLoops, Kind> known;
   return known(entry, kind, [&] {
     const JointSpec spec = loop_joint(entry, kind);
-    return SmallLoops{loop_work(of(entry), spec, kSmallAmplitude),
-                      loop_work(of(entry), spec, 2 * kSmallAmplitude)};
+    return SmallLoops{loop_work(under_test(entry), spec, kSmallAmplitude),
+                      loop_work(under_test(entry), spec, 2 * kSmallAmplitude)};
   });
 }
 

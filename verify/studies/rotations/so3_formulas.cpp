@@ -1,4 +1,4 @@
-// The formulas of formulations/so3.hpp by roads that share nothing with them: power series and defining
+// The formulas of halfway/rotations/so3.hpp by roads that share nothing with them: power series and defining
 // equations at 50 digits, and the derivatives that dual numbers take through them.
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"

@@ -1,4 +1,4 @@
-// The accuracy contract of formulations/so3.hpp: one row per function and scalar.
+// The accuracy contract of halfway/rotations/so3.hpp: one row per function and scalar.
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/so3_measure.hpp"
 

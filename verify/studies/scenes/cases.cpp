@@ -2,7 +2,9 @@
 // node order exchanged (C8) and in a turned global frame.
 #include "reference/solve/path.hpp"
 #include "reference/solve/solve.hpp"
+#include "verify/oracle/replay.hpp"
 #include "verify/oracle/scene_access.hpp"
+#include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -51,11 +53,11 @@ std::vector<Finding> along_path(const Scene& scene, const std::vector<SceneRefer
   for (const auto& [factor, wanted] : by_factor) {
     path.advance(factor);
     for (const SceneReference* r : wanted) {
-      findings.push_back(expectation(scene, *r, variant)
-                             .measured(path.state().status == Status::converged
-                                           ? double(path.output(r->output))
-                                           : std::nan(""),
-                                       fmt::format("{} Newton iterations", path.state().iterations)));
+      const bool converged = path.state().status == Status::converged;
+      Measurement found(converged ? double(path.output(r->output)) : std::nan(""),
+                        fmt::format("{} Newton iterations", path.state().iterations));
+      found.set_replay(scene_text(scene, entry, r->xi, setting));
+      findings.push_back(expectation(scene, *r, variant).measured(found));
     }
   }
   return findings;

@@ -1,4 +1,5 @@
 // The solver's loads and unknowns, against equilibria that have closed forms.
+#include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "verify/oracle/scene_access.hpp"
 
@@ -56,12 +57,7 @@ std::vector<Finding> follower_moment() {
 
 /// k theta = moment cos(theta), by bisection: a force at the end of an arm.
 double turned_by_arm(double k, double moment) {
-  double low = 0, high = 1.5;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = (low + high) / 2;
-    (k * middle < moment * std::cos(middle) ? low : high) = middle;
-  }
-  return low;
+  return reference::last_where([&](double t) { return k * t < moment * std::cos(t); }, 0.0, 1.5, 60);
 }
 
 std::vector<Finding> force_on_arm() {

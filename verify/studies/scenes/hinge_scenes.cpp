@@ -2,6 +2,7 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
+#include "reference/numbers/zeros.hpp"
 #include "verify/oracle/worst.hpp"
 
 #include <fmt/format.h>
@@ -143,13 +144,10 @@ std::optional<Real50> planar_root(const reference::Scene& scene, std::string_vie
   if (!g) return std::nullopt;
   const Vec3<Real50> force = scene.loads[0].value.cast<Real50>();
   const Real50 ks(kSoft), moment(scene.loads[1].value[0]), lever(-scene.joint.b.o[1]);
-  Real50 low(0), high(0.7);  // g rises up to pi/4 for each of them
-  for (int i = 0; i < 180; ++i) {
-    const Real50 t = (low + high) / Real50(2);
-    const Real50 load = moment + lever * (force[2] * cos(t) - force[1] * sin(t));
-    (ks * g(t) < load ? low : high) = t;
-  }
-  return low;
+  const auto below = [&](const Real50& t) {
+    return ks * g(t) < moment + lever * (force[2] * cos(t) - force[1] * sin(t));
+  };
+  return last_where(below, Real50(0), Real50(0.7), 180);  // g rises up to pi/4 for each of them
 }
 
 double floor_of(const HingeScene& hinge, const reference::Entry& entry, const Vec3<Real50>& exact) {

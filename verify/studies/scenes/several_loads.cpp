@@ -4,6 +4,7 @@
 #include "reference/solve/path.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/replay.hpp"
 
 #include <cmath>
 #include <string>
@@ -121,9 +122,11 @@ Measurement worst(double (*measure)(const Entry&, const Scene&, const Setting&),
   Measurement out;
   for (const double angle : {0.02, 0.1}) {
     const Scene scene = loaded(entry, kind, angle);
-    for (const bool exchanged : {false, true})
-      out.include(measure(entry, scene, setting(exchanged)),
-                  exchanged ? "nodes exchanged" : "nodes as written");
+    for (const bool exchanged : {false, true}) {
+      const Setting at = setting(exchanged);
+      if (out.include(measure(entry, scene, at), exchanged ? "nodes exchanged" : "nodes as written"))
+        out.set_replay(scene_text(scene, entry, scene.joint.xi, at));
+    }
   }
   return out;
 }

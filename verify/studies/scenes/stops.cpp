@@ -4,6 +4,7 @@
 #include "reference/solve/solve.hpp"
 #include "reference/solve/stop_cause.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/scene_access.hpp"
 
 #include <fmt/format.h>
 
@@ -68,8 +69,7 @@ StopCause by_arc(const Scene& scene, const Entry& entry, double stopped_at) {
   return StopCause::unknown;
 }
 
-Finding named(const Entry& entry) {
-  const Scene scene = overloaded();
+Finding named(const Entry& entry, const Scene& scene, const std::string& what) {
   const reference::Curve curve = reference::solve_scene(scene, {&entry, entry.probe_xi});
   double missed = 0;
   std::string told = curve.outcome;
@@ -78,7 +78,7 @@ Finding named(const Entry& entry) {
     missed = cause == StopCause::unknown || curve.outcome.find(to_string(cause)) == std::string::npos;
     told += fmt::format("; by arc length: {}", to_string(cause));
   }
-  return finding(fmt::format("{}/stops/cause", entry.name))
+  return finding(fmt::format("{}/stops/{}", entry.name, what))
       .of(std::string(entry.name))
       .about("stops")
       .measured(missed, told)
@@ -87,12 +87,18 @@ Finding named(const Entry& entry) {
       .by(Oracle::independent);
 }
 
+/// The scene above, and the canonical ones in which paths end.
+std::vector<Finding> all_named(const Entry& entry) {
+  std::vector<Finding> out = {named(entry, overloaded(), "cause")};
+  for (const char* name : {"c1_extended", "c3_buckling"}) out.push_back(named(entry, scene(name), name));
+  return out;
+}
+
 }  // namespace
 
 void stops(Checks& checks) {
   for (const Entry& entry : reference::formulations()) {
-    checks.push_back(
-        {fmt::format("{}/stops", entry.name), "scenes", [&entry] { return std::vector{named(entry)}; }});
+    checks.push_back({fmt::format("{}/stops", entry.name), "scenes", [&entry] { return all_named(entry); }});
   }
 }
 

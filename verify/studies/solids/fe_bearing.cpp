@@ -121,7 +121,7 @@ std::vector<Finding> directions() {
     const double a = degrees * std::numbers::pi / 180;
     const fe::Load load{kDirectionForce * Vec3<double>(std::cos(a), -std::sin(a), 0), Vec3<double>::Zero(),
                         false};
-    const auto e = statics.solve(fe::Law::cauchy_log, load, solid.unloaded());
+    const auto e = statics.solve(fe::SolidLaw::cauchy_log, load, solid.unloaded());
     if (!e.converged) throw std::runtime_error(e.reason);
     quotient.include(tapped(e.theta()[2]) / (load.f[0] * load.f[1]));
   }
@@ -140,7 +140,7 @@ std::vector<Finding> directions() {
 /// The printed xi against the spread over the admissible geometries: it can be met, but is not determined.
 std::vector<Finding> spread() {
   std::vector<Finding> out;
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     Extent xi;
     for (const auto& scan : kept_bearing().at("scans")) {
       if (!scan.at("admissible").get<bool>()) continue;

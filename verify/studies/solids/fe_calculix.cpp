@@ -73,7 +73,7 @@ std::vector<Finding> of_case(const Case& c, ElementKind element) {
   for (const auto& [what, load] : {std::pair<const char*, fe::Load>{"moment", moment}, {"force", force}}) {
     compare_pose(out, name + "/" + what,
                  calculix_nonlinear(solid.mesh(), solid.material(), c.reference, load),
-                 statics.solve(fe::Law::st_venant, load, solid.unloaded()));
+                 statics.solve(fe::SolidLaw::st_venant, load, solid.unloaded()));
   }
   return out;
 }

@@ -63,7 +63,7 @@ Finding of_formulation(const Entry& entry, Draft f, const char* body, CouplingGr
 std::vector<Finding> fitted(const std::string& body) {
   std::vector<Finding> out;
   const fe::SecondOrder& truth = finest(body);
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     for (CouplingGroup group : reference::kCouplingGroups) {
       const auto best = best_xi(truth.couplings[std::size_t(law)], truth.compliance, group);
       out.push_back(solid_finding(fmt::format("best_xi/{}/{}/{}", body, to_string(group), to_string(law)))

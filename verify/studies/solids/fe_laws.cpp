@@ -30,27 +30,27 @@ Mat3D series_log(const Mat3D& X) {
 }
 
 /// W per unit volume, J/m^3; cauchy_log has none.
-D energy(fe::Law law, const Mat3D& E) {
+D energy(fe::SolidLaw law, const Mat3D& E) {
   const D lambda(Real50(kMaterial.lambda())), mu(Real50(kMaterial.mu()));
-  if (law == fe::Law::st_venant) return lambda * E.trace() * E.trace() / D(2) + mu * (E * E).trace();
+  if (law == fe::SolidLaw::st_venant) return lambda * E.trace() * E.trace() / D(2) + mu * (E * E).trace();
   const Mat3D ln_C = series_log(D(2) * E);
   const D ln_J = ln_C.trace() / D(2);
   const D volumetric = lambda * ln_J * ln_J / D(2);
-  if (law == fe::Law::neo_hooke) return volumetric + mu * (E.trace() - ln_J);
+  if (law == fe::SolidLaw::neo_hooke) return volumetric + mu * (E.trace() - ln_J);
   return volumetric + mu * (ln_C * ln_C).trace() / D(4);
 }
 
 /// The stress itself for a direction of E in the dual part: its dual part is the tangent's column.
-Mat3D stress(fe::Law law, const Mat3D& E) {
+Mat3D stress(fe::SolidLaw law, const Mat3D& E) {
   const D lambda(Real50(kMaterial.lambda())), mu(Real50(kMaterial.mu()));
   const Mat3D I = Mat3D::Identity();
-  if (law == fe::Law::st_venant) return lambda * E.trace() * I + D(2) * mu * E;
+  if (law == fe::SolidLaw::st_venant) return lambda * E.trace() * I + D(2) * mu * E;
   const Mat3D ln_C = series_log(D(2) * E), C = I + D(2) * E;
   const Mat3D C_inverse = C.inverse();
   const D ln_J = ln_C.trace() / D(2);
-  if (law == fe::Law::neo_hooke) return mu * (I - C_inverse) + lambda * ln_J * C_inverse;
+  if (law == fe::SolidLaw::neo_hooke) return mu * (I - C_inverse) + lambda * ln_J * C_inverse;
   const Mat3D hencky = C_inverse * (lambda * ln_J * I + mu * ln_C);
-  return law == fe::Law::hencky ? hencky : Mat3D(sqrt(C.determinant()) * hencky);
+  return law == fe::SolidLaw::hencky ? hencky : Mat3D(sqrt(C.determinant()) * hencky);
 }
 
 constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
@@ -75,7 +75,7 @@ std::vector<Mat3<double>> strains() {
   return out;
 }
 
-std::vector<Finding> law_findings(fe::Law law) {
+std::vector<Finding> law_findings(fe::SolidLaw law) {
   const std::string name = std::string("laws/") + to_string(law);
   Measurement worst_stress, worst_tangent, worst_second;
   for (const Mat3<double>& E : strains()) {
@@ -84,7 +84,7 @@ std::vector<Finding> law_findings(fe::Law law) {
     const std::string at = fmt::format("|E| = {:.2g}", E.norm());
     for (int k = 0; k < 6; ++k) {
       const Mat3D dual = stress(law, along(E, k));
-      if (law != fe::Law::cauchy_log)
+      if (law != fe::SolidLaw::cauchy_log)
         worst_stress.include(std::abs(double(energy(law, along(E, k)).d - Real50(r.S[k]))) / size, at);
       for (int i = 0; i < 6; ++i)
         worst_tangent.include(std::abs(double(dual(kRow[i], kColumn[i]).d - Real50(r.D(i, k)))), at);
@@ -104,7 +104,7 @@ std::vector<Finding> law_findings(fe::Law law) {
       worst_second.include(std::abs(second(kRow[i], kColumn[i]) - found[i]) / EE.norm(), at);
   }
   std::vector<Finding> out;
-  if (law != fe::Law::cauchy_log) {
+  if (law != fe::SolidLaw::cauchy_log) {
     out.push_back(
         solid_finding(name + "/energy_gradient")
             .in("relative")
@@ -132,7 +132,7 @@ std::vector<Finding> law_findings(fe::Law law) {
 }  // namespace
 
 void fe_laws(Checks& checks) {
-  for (fe::Law law : fe::kLaws)
+  for (fe::SolidLaw law : fe::kLaws)
     checks.push_back({std::string("fe/laws/") + to_string(law), "fe", [law] { return law_findings(law); }});
 }
 

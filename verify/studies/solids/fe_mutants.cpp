@@ -21,7 +21,7 @@ Measurement asymmetry(bool face_turns) {
   fe::SecondOrder s = second_order(solid, linear);
   s.compliance = compliance;
   Measurement worst;
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     worst.include(std::abs(xi_of_moments(s, law, 0, 2) - 0.5), std::string("law ") + to_string(law));
   }
   return worst;
@@ -36,7 +36,7 @@ Measurement theta_2_of_calculix(bool by_rotation_vector) {
   fe::Load load;
   load.m = {std::cos(a), 0, std::sin(a)};
   fe::Statics statics(solid);
-  const fe::Equilibrium ours = statics.solve(fe::Law::st_venant, load, solid.unloaded());
+  const fe::Equilibrium ours = statics.solve(fe::SolidLaw::st_venant, load, solid.unloaded());
   if (!ours.converged) throw std::runtime_error(ours.reason);
   const fe::CalculixPose theirs =
       by_rotation_vector ? calculix_nonlinear(solid.mesh(), solid.material(), reference, load)

@@ -34,7 +34,7 @@ const fe::MeshRun& coarse(const std::string& name) {
 /// Mirror symmetry between the ends leaves no other value than 1/2, for any law and any mesh that has it.
 std::vector<Finding> symmetric_body() {
   std::vector<Finding> out;
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     for (const auto& [i, j] : kPairs) {
       const fe::SecondOrder& s = coarse("block").result;
       const std::string pair = fmt::format("{}{}/{}", i + 1, j + 1, to_string(law));
@@ -56,7 +56,7 @@ std::vector<Finding> symmetric_body() {
 /// exactly.
 std::vector<Finding> exchanged_faces() {
   std::vector<Finding> out;
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     for (const auto& [i, j] : kPairs) {
       const double sum = xi_of_moments(coarse("frustum_top").result, law, i, j) +
                          xi_of_moments(coarse("frustum_base").result, law, i, j);
@@ -72,7 +72,7 @@ std::vector<Finding> exchanged_faces() {
 
 /// A potential has one third derivative: the couplings of 1-3, 2-3 and 1-2 moments then follow from a
 /// half-way law with one cubic term c theta_1 theta_2 theta_3. c from each pair, spread over the largest.
-double cubic_spread(const fe::SecondOrder& s, fe::Law law) {
+double cubic_spread(const fe::SecondOrder& s, fe::SolidLaw law) {
   const Vec3<double> k = s.compliance.diagonal().tail<3>().cwiseInverse();
   const double c13 = (xi_of_moments(s, law, 0, 2) - 0.5) * (k[0] - k[2]);
   const double c23 = (xi_of_moments(s, law, 1, 2) - 0.5) * (k[2] - k[1]);
@@ -84,11 +84,11 @@ double cubic_spread(const fe::SecondOrder& s, fe::Law law) {
 
 std::vector<Finding> cubic_potential() {
   std::vector<Finding> out;
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     Draft f = solid_finding(std::string("frustum/cubic_potential/") + to_string(law))
                   .in("relative")
                   .measured(cubic_spread(coarse("frustum_top").result, law));
-    if (law == fe::Law::cauchy_log)
+    if (law == fe::SolidLaw::cauchy_log)
       f.reported(
           "D : ln V for the Cauchy stress has no potential, so no single coefficient serves: measured");
     else
@@ -101,7 +101,7 @@ std::vector<Finding> cubic_potential() {
 }
 
 /// theta_2 / M^2 of the paper's moment from Newton at two loads, extrapolated: its next order is M^2.
-double newton_coefficient(const fe::Solid& solid, fe::Law law, double M, bool follower = false) {
+double newton_coefficient(const fe::Solid& solid, fe::SolidLaw law, double M, bool follower = false) {
   fe::Statics statics(solid);
   const double a = std::atan(0.01);
   const auto quotient = [&](double m) {
@@ -119,7 +119,7 @@ std::vector<Finding> newton() {
     const fe::Body& body = fe::body_named(name);
     const fe::Solid solid(body.mesh(fe::ElementKind::hex20, kCoarse), body.material,
                           body.face + joint_point(body));
-    for (fe::Law law : fe::kLaws) {
+    for (fe::SolidLaw law : fe::kLaws) {
       const double perturbation = 2 * coarse(name).result.couplings[std::size_t(law)][4](3, 5) * product;
       out.push_back(solid_finding(fmt::format("newton/{}/{}", name, to_string(law)))
                         .in("relative to perturbation")

@@ -30,7 +30,7 @@ fe::State deformed(const fe::Solid& solid, reference::Generator& g) {
 }
 
 /// Force in all unknowns: interior, then face.
-Eigen::VectorXd balance(const fe::Solid& solid, fe::Law law, const fe::State& state) {
+Eigen::VectorXd balance(const fe::Solid& solid, fe::SolidLaw law, const fe::State& state) {
   const fe::Assembly a = solid.assemble(law, state);
   Eigen::VectorXd out(solid.unknowns());
   out << solid.interior(a.force), solid.face_load(state, a.force);
@@ -38,7 +38,7 @@ Eigen::VectorXd balance(const fe::Solid& solid, fe::Law law, const fe::State& st
 }
 
 /// The assembled tangent times a direction against a fourth-order difference of the assembled forces.
-Finding tangent(fe::ElementKind element, fe::Law law) {
+Finding tangent(fe::ElementKind element, fe::SolidLaw law) {
   const fe::Solid solid = small_solid(element);
   reference::Generator g(5);
   const fe::State state = deformed(solid, g);
@@ -65,7 +65,7 @@ Finding tangent(fe::ElementKind element, fe::Law law) {
 }
 
 /// A clamped face that moves with the rest: no strain, no force. The whole body turned by 1.3 rad.
-Finding objectivity(fe::Law law) {
+Finding objectivity(fe::SolidLaw law) {
   const fe::Solid solid = small_solid(fe::ElementKind::hex20);
   reference::Generator g(6);
   fe::State state = deformed(solid, g);
@@ -91,7 +91,8 @@ Finding patch(fe::ElementKind element) {
   for (double& x : G.reshaped()) x = g.uniform(-1, 1);
   fe::State state = solid.unloaded();
   state.u = H * solid.mesh().X;
-  const double work = solid.assemble(fe::Law::st_venant, state).force.cwiseProduct(G * solid.mesh().X).sum();
+  const double work =
+      solid.assemble(fe::SolidLaw::st_venant, state).force.cwiseProduct(G * solid.mesh().X).sum();
   const Mat3<double> I = Mat3<double>::Identity(), F = I + H, E = (F.transpose() * F - I) / 2;
   const Mat3<double> P = F * (material.lambda() * E.trace() * I + 2 * material.mu() * E);
   const double volume = 2 * ((1 * 0.7 + 0.6 * 0.8) / 3 + (1 * 0.8 + 0.6 * 0.7) / 6);
@@ -139,8 +140,8 @@ void fe_solid(Checks& checks) {
          std::vector<Finding> out = {patch_incompatible()};
          for (auto element : {fe::ElementKind::hex20, fe::ElementKind::hex20_full, fe::ElementKind::hex27})
            out.push_back(patch(element));
-         for (fe::Law law : fe::kLaws) out.push_back(objectivity(law));
-         for (fe::Law law : {fe::Law::st_venant, fe::Law::neo_hooke, fe::Law::hencky}) {
+         for (fe::SolidLaw law : fe::kLaws) out.push_back(objectivity(law));
+         for (fe::SolidLaw law : {fe::SolidLaw::st_venant, fe::SolidLaw::neo_hooke, fe::SolidLaw::hencky}) {
            for (auto element : {fe::ElementKind::hex20, fe::ElementKind::hex20_full, fe::ElementKind::hex27})
              out.push_back(tangent(element, law));
          }

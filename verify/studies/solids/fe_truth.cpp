@@ -68,7 +68,7 @@ std::vector<Finding> converged_figures(const std::string& name) {
             .at_most(1e-4, "the target of the 3D truth: grid convergence index of the finest of four meshes")
             .by(Oracle::independent));
   }
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     const fe::Estimate e = converged(c, ElementKind::hex20,
                                      [law](const fe::SecondOrder& s) { return xi_of_moments(s, law, 0, 2); });
     out.push_back(solid_finding(fmt::format("error_bar/{}/xi/{}", name, to_string(law)))
@@ -95,7 +95,7 @@ std::vector<Finding> elements_agree(const std::string& name, ElementKind other) 
   };
   for (int k = 0; k < 6; ++k) hold(axis_name(k), compliance(k));
   if (name == "block") return out;  // xi is exact there
-  for (fe::Law law : fe::kLaws)
+  for (fe::SolidLaw law : fe::kLaws)
     hold(std::string("xi_") + to_string(law),
          [law](const fe::SecondOrder& s) { return xi_of_moments(s, law, 0, 2); });
   return out;
@@ -106,14 +106,14 @@ std::vector<Finding> printed_xi() {
   std::vector<Finding> out;
   const double printed =
       std::stod(reference::read_data("paper/tables.json")["table_3"]["fitted_xi"].get<std::string>());
-  for (fe::Law law : fe::kLaws) {
+  for (fe::SolidLaw law : fe::kLaws) {
     const fe::Estimate e = converged(characterisation("frustum_top"), ElementKind::hex20,
                                      [law](const fe::SecondOrder& s) { return xi_of_moments(s, law, 0, 2); });
     Draft f = solid_finding(std::string("frustum/printed_xi/") + to_string(law));
     f.measured(e.value, fmt::format("xi = {:.5f} +- {:.0e}, top clamped", e.value, e.uncertainty))
         .equal(printed, 0.005, "half a unit of the two digits printed")
         .by(Oracle::printed, e.uncertainty);
-    if (law != fe::Law::cauchy_log)
+    if (law != fe::SolidLaw::cauchy_log)
       f.reported("another law than the one that the paper's program documents: reported");
     out.push_back(f);
   }

@@ -3,7 +3,7 @@
 // Each interpolates its function at the Chebyshev points of its interval, computed at 60 digits and
 // rounded to double: within a factor of a few of the best polynomial of its degree. The nearest
 // singularity (phi = 2 pi; x = i) leaves an error of about 5.8^-degree on [0, 1].
-// verify/checks/kernel_polynomials.cpp measures every one of them at 50 digits.
+// verify/studies/kernels/kernel_polynomials.cpp measures every one of them at 50 digits.
 #pragma once
 
 namespace halfway::kernel::detail {

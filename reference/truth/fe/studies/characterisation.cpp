@@ -62,14 +62,14 @@ Estimate converged(const Characterisation& c, ElementKind element, const Figure&
 }
 
 // With diagonal F: theta_2nd = -xi F (F m x m), whose component k is -parity xi F_k (F_i - F_j) m_i m_j.
-double xi_of_moments(const SecondOrder& s, Law law, int i, int j) {
+double xi_of_moments(const SecondOrder& s, SolidLaw law, int i, int j) {
   const int k = third(i, j);
   const Vec3<double> F = s.compliance.diagonal().tail<3>();
   return -parity(i, j) * 2 * s.couplings[std::size_t(law)][std::size_t(3 + k)](3 + i, 3 + j) /
          (F[k] * (F[i] - F[j]));
 }
 
-double xi_of_forces(const SecondOrder& s, Law law, int i, int j) {
+double xi_of_forces(const SecondOrder& s, SolidLaw law, int i, int j) {
   const int k = third(i, j);
   const Vec3<double> u = s.compliance.diagonal().head<3>(), F = s.compliance.diagonal().tail<3>();
   return parity(i, j) * 2 * s.couplings[std::size_t(law)][std::size_t(3 + k)](i, j) / (F[k] * (u[i] - u[j]));

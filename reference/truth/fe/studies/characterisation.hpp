@@ -41,9 +41,9 @@ Estimate converged(const Characterisation& c, ElementKind element, const Figure&
 
 /// The xi at which a frame-xi law has the coupling of the solid: theta_k under the moments i and j
 /// (i, j, k different), from theta_k = xi F_k (F_i - F_j) m_i m_j with k = i + 2 (cyclic).
-double xi_of_moments(const SecondOrder& s, Law law, int i, int j);
+double xi_of_moments(const SecondOrder& s, SolidLaw law, int i, int j);
 /// The same under forces at the joint point: theta = xi F_psi (F_u f) x f.
-double xi_of_forces(const SecondOrder& s, Law law, int i, int j);
+double xi_of_forces(const SecondOrder& s, SolidLaw law, int i, int j);
 
 void to_json(nlohmann::json& json, const Characterisation& c);
 void from_json(const nlohmann::json& json, Characterisation& c);

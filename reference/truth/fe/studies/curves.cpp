@@ -12,8 +12,8 @@ Vec3<double> vector(const nlohmann::json& json) {
 
 }  // namespace
 
-SolidCurve follow(const Body& body, const Vec3<double>& joint_point, Law law, ElementKind element, int level,
-                  const Load& load, double factor_end, int points) {
+SolidCurve follow(const Body& body, const Vec3<double>& joint_point, SolidLaw law, ElementKind element,
+                  int level, const Load& load, double factor_end, int points) {
   const auto begin = std::chrono::steady_clock::now();
   const Solid solid(body.mesh(element, level), body.material, body.face + joint_point);
   Statics statics(solid);

@@ -16,7 +16,7 @@ struct CurvePoint {
 struct SolidCurve {
   std::string body;
   std::string scene;  ///< the lumped case it is the truth of
-  Law law;
+  SolidLaw law;
   ElementKind element;
   int level;
   int unknowns;
@@ -26,8 +26,8 @@ struct SolidCurve {
 };
 
 /// load: at factor 1, at the joint point (given from the face's centre, m); points up to factor_end, evenly.
-SolidCurve follow(const Body& body, const Vec3<double>& joint_point, Law law, ElementKind element, int level,
-                  const Load& load, double factor_end, int points);
+SolidCurve follow(const Body& body, const Vec3<double>& joint_point, SolidLaw law, ElementKind element,
+                  int level, const Load& load, double factor_end, int points);
 
 void to_json(nlohmann::json& json, const SolidCurve& curve);
 void from_json(const nlohmann::json& json, SolidCurve& curve);

@@ -66,7 +66,7 @@ nlohmann::json geometry(const BearingFit& fit) {
 /// xi under shear along 1 and compression along 2, per law, on one mesh.
 nlohmann::json xis(const MeshRun& run) {
   nlohmann::json out;
-  for (Law law : kLaws) out[to_string(law)] = xi_of_forces(run.result, law, 0, 1);
+  for (SolidLaw law : kLaws) out[to_string(law)] = xi_of_forces(run.result, law, 0, 1);
   return out;
 }
 
@@ -78,7 +78,7 @@ nlohmann::json fitted_family(const Family& family) {
   const Body body = body_of(name_of(family), fit.bearing);
   Characterisation c{body.name, {0, fit.data[4], 0}, {}};
   for (int level : kLevels) c.runs.push_back(characterise(body, c.joint_point, ElementKind::hex20, level));
-  for (Law law : kLaws) {
+  for (SolidLaw law : kLaws) {
     const Estimate e =
         converged(c, ElementKind::hex20, [law](const SecondOrder& s) { return xi_of_forces(s, law, 0, 1); });
     out["xi"].push_back({{"law", to_string(law)}, {"value", e.value}, {"uncertainty", e.uncertainty}});
@@ -108,7 +108,7 @@ Body body_of(const nlohmann::json& family) {
 }
 
 /// Fig. 9.
-SolidCurve figure(const nlohmann::json& family, Law law) {
+SolidCurve figure(const nlohmann::json& family, SolidLaw law) {
   const auto point = family.at("characterisation").at("joint_point").at(1).get<double>();
   SolidCurve curve = follow(body_of(family), {0, point, 0}, law, ElementKind::hex20, kCurveLevel,
                             scene_load(kScene), 1e6, 20);
@@ -137,7 +137,7 @@ Study bearing_study() {
       for (auto& row : scan(family)) out["scans"].push_back(row);
       report(++done, total, name_of(family));
     }
-    for (Law law : kLaws) out["curves"].push_back(figure(out["families"][kBest], law));
+    for (SolidLaw law : kLaws) out["curves"].push_back(figure(out["families"][kBest], law));
     report(total, total, "Fig. 9");
     return out;
   };

@@ -60,7 +60,7 @@ Study curve_study(const CurvePlan& plan) {
   study.compute = [&body, load, plan](const Report& report) {
     const Vec3<double> point = joint_point(body);
     nlohmann::json out;
-    for (Law law : kLaws) {
+    for (SolidLaw law : kLaws) {
       SolidCurve curve = follow(body, point, law, ElementKind::hex20, plan.level, load, 1, kPoints);
       curve.scene = plan.reach == 1 ? plan.scene : plan.name;
       out["curves"].push_back(curve);

@@ -31,7 +31,7 @@ nlohmann::json newton(int level) {
   const Body& body = body_named("block");
   const Solid solid(body.mesh(ElementKind::hex20, level), body.material, body.face);
   const Equilibrium e =
-      Statics(solid).solve(Law::hencky, scene_load("c2_parallelepiped_small"), solid.unloaded());
+      Statics(solid).solve(SolidLaw::hencky, scene_load("c2_parallelepiped_small"), solid.unloaded());
   if (!e.converged) throw std::runtime_error(e.reason);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return {{"body", "block"},

@@ -11,7 +11,7 @@ namespace halfway::reference::fe {
 namespace {
 
 constexpr int kLevel = 4;
-constexpr Law kLaw = Law::cauchy_log;
+constexpr SolidLaw kLaw = SolidLaw::cauchy_log;
 constexpr const char* kBearing = "bearing";
 constexpr double kVisible = 0.12;  ///< of the body's size: the largest displacement as drawn
 

@@ -1,9 +1,9 @@
-#include "verify/studies/limits/newton_order.hpp"
+#include "verify/studies/newton/newton_order.hpp"
 
 #include "reference/face/instantiations.hpp"
+#include "reference/numbers/linear_algebra.hpp"
 #include "reference/numbers/random.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/solve/paths/singular_algebra.hpp"
 #include "verify/once.hpp"
 
 #include <Eigen/LU>
@@ -46,27 +46,13 @@ Pairs pairs(const std::vector<double>& e, std::size_t first) {
   return out;
 }
 
-/// Least-squares slope of log e(k+1) over log e(k).
-double slope(const Pairs& p) {
-  double x0 = 0, y0 = 0, xx = 0, xy = 0;
-  for (const auto& [x, y] : p) {
-    x0 += x / double(p.size());
-    y0 += y / double(p.size());
-  }
-  for (const auto& [x, y] : p) {
-    xx += (x - x0) * (x - x0);
-    xy += (x - x0) * (y - y0);
-  }
-  return xy / xx;
-}
-
 void measure(const std::vector<double>& e, NewtonOrder& out) {
   if (e.size() < 3) {
     out.order = out.factor = std::nan("");
     return;
   }
   const std::size_t steps = e.size() - 1, first = steps - std::max<std::size_t>(2, steps / 3);
-  out.order = slope(pairs(e, first));
+  out.order = slope_of(pairs(e, first));
   out.factor = std::pow(e.back() / e[first], 1 / double(steps - first));
 }
 
@@ -111,7 +97,7 @@ static double pooled(const Entry& entry) {
       if (pair[0] <= std::log(kNear)) all.push_back(pair);
     }
   }
-  return slope(all);
+  return slope_of(all);
 }
 
 double pooled_order(const Entry& entry) {

@@ -1,8 +1,8 @@
 // Plain Newton in one load step on the block of C3: its order against theory, its basins as measured.
 #include "verify/oracle/scene_access.hpp"
 #include "verify/oracle/worst.hpp"
-#include "verify/studies/limits/basin_map.hpp"
-#include "verify/studies/limits/newton_order.hpp"
+#include "verify/studies/newton/basin_map.hpp"
+#include "verify/studies/newton/newton_order.hpp"
 
 #include <fmt/format.h>
 

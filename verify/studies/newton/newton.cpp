@@ -1,4 +1,4 @@
-#include "verify/studies/limits/newton.hpp"
+#include "verify/studies/newton/newton.hpp"
 
 #include "reference/face/instantiations.hpp"
 

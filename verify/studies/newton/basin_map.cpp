@@ -1,10 +1,11 @@
-#include "verify/studies/limits/basin_map.hpp"
+#include "verify/studies/newton/basin_map.hpp"
 
 #include "reference/face/instantiations.hpp"
+#include "reference/numbers/zeros.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/effort.hpp"
 #include "verify/once.hpp"
-#include "verify/studies/limits/newton_order.hpp"
+#include "verify/studies/newton/newton_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,12 +116,8 @@ double BasinMaps::safe_step(const std::vector<BasinCell>& cells, NewtonTangent t
   double safe = grid_.magnitude(first);
   for (int i = 0; i < grid_.angles; ++i) {
     if (first_failure(i) != first) continue;
-    double low = grid_.magnitude(first - 1), high = grid_.magnitude(first);
-    for (int n = 0; n < kBisections; ++n) {
-      const double middle = (low + high) / 2;
-      (is_safe(grid_.angle(i), middle, tangent) ? low : high) = middle;
-    }
-    safe = std::min(safe, low);
+    const auto holds = [&](double magnitude) { return is_safe(grid_.angle(i), magnitude, tangent); };
+    safe = std::min(safe, last_where(holds, grid_.magnitude(first - 1), grid_.magnitude(first), kBisections));
   }
   return safe;
 }

@@ -1,7 +1,7 @@
 // How fast plain Newton converges: the order and the factor of its errors, at 50 digits.
 #pragma once
 
-#include "verify/studies/limits/newton.hpp"
+#include "verify/studies/newton/newton.hpp"
 
 namespace halfway::reference {
 

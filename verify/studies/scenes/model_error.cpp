@@ -1,5 +1,6 @@
-#include "reports/views/model_error.hpp"
+#include "verify/studies/scenes/model_error.hpp"
 
+#include "reference/face/kernel_variants.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/solve/path.hpp"
 
@@ -10,7 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace halfway::reports {
+namespace halfway::verify {
 namespace {
 
 using reference::Curve;
@@ -80,6 +81,19 @@ Truth truth_of(const Scene& scene) {
   return truth;
 }
 
+std::optional<reference::Entry> evaluated_by(std::string_view implementation, std::string_view variant,
+                                             std::string_view precision, const reference::Entry& entry,
+                                             const Scene& scene) {
+  if (implementation == "reference") return variant.empty() ? std::optional(entry) : std::nullopt;
+  const bool linear = std::holds_alternative<reference::LinearSpec>(scene.joint.law);
+  if (!linear || entry.kernel.in_double.angular == nullptr) return std::nullopt;
+  if (variant.empty()) return with_kernel(entry, precision == "float");
+  if (entry.name != "invariant" || scene.joint.kind != Kind::angular) return std::nullopt;
+  for (const auto& known : reference::invariant_variants())
+    if (known.name == variant && known.precision == precision) return with_variant(entry, known);
+  return std::nullopt;
+}
+
 std::optional<double> model_error(const Curve& path, const Truth& truth) {
   if (!path.converged || !truth.curve.converged || path.columns != truth.curve.columns) return std::nullopt;
   const double error =
@@ -88,4 +102,4 @@ std::optional<double> model_error(const Curve& path, const Truth& truth) {
   return reference::larger(error, std::numeric_limits<double>::epsilon() / 2);
 }
 
-}  // namespace halfway::reports
+}  // namespace halfway::verify

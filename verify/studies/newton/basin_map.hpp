@@ -2,7 +2,7 @@
 // to what. An equilibrium has no unique solution once loads are large.
 #pragma once
 
-#include "verify/studies/limits/newton.hpp"
+#include "verify/studies/newton/newton.hpp"
 
 #include <string>
 #include <vector>

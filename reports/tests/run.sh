@@ -1,0 +1,64 @@
+#!/bin/sh
+# Scenes as people brought them, through the real program: what `halfway run` prints, writes and returns.
+# Usage: run.sh PROGRAM
+set -u
+program=$1
+field=$(dirname "$0")/field
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "run: $1" >&2; exit 1; }
+
+# holds FILE FORMULATION COLUMN VALUE TOLERANCE: the last row of that formulation, relative.
+holds() {
+  awk -F, -v formulation="$2" -v column="$3" -v value="$4" -v tolerance="$5" '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == column) at = i }
+    $1 == formulation && at { found = $at; seen = 1 }
+    END { off = found / value - 1; exit !(seen && off <= tolerance && -off <= tolerance) }' "$1" ||
+    fail "$2 in ${1#"$folder/"}: $3 is not $4 to $5"
+}
+
+run() { "$program" run "$@" --out "$folder" --format csv > "$folder/out" 2> "$folder/err"; }
+
+# A soft hinge in a rigid bushing on a lever: the root of ks t = M + l (Fz cos t - Fy sin t), to 12 digits given.
+run "$field/hinge_1.toml" || fail "hinge_1 exits with $?"
+holds "$folder/hinge_1/curve.csv" attached_a theta_x 0.00498998272615 1e-11
+holds "$folder/hinge_1/curve.csv" conformal theta_x 0.00498997239284 1e-11
+holds "$folder/hinge_1/curve.csv" jointc theta_x 0.00499006539675 1e-11
+run "$field/hinge_2.toml" || fail "hinge_2 exits with $?"
+holds "$folder/hinge_2/curve.csv" invariant theta_x 0.04898471217198 1e-12
+
+# Frames on both nodes, and on one, change nothing about joint axis 1 from the unstrained pose: values of C3.
+for scene in critical_frames_ab critical_frame_a; do
+  run "$field/$scene.toml" || fail "$scene exits with $?"
+  holds "$folder/$scene/critical.csv" invariant critical_moment 830.455515962076 1e-12
+  holds "$folder/$scene/critical.csv" conformal critical_moment 963.8281044582 1e-12
+  holds "$folder/$scene/critical.csv" jointc critical_moment 265.1111992618 1e-12
+  holds "$folder/$scene/critical.csv" attached_b critical_moment 415.227757981038 1e-12
+  grep -q '^invariant .* 830.455516 ' "$folder/out" || fail "$scene: the critical moment is not printed"
+done
+
+# By arc length in turned axes: the branching is named although rounding has made it imperfect.
+sed -e 's/factor_end = 200/factor_end = 1000/' -e '/^critical_axis/d' -e '/^\[\[reference/,$d' \
+  "$field/critical_frames_ab.toml" > "$folder/arc.toml"
+run "$folder/arc.toml" --arc --formulation invariant,jointc || fail "arc exits with $?"
+grep -q '^invariant.*branching at load factor 830.455516' "$folder/out" || fail "arc: no branching of invariant"
+grep -q '^jointc.*branching at load factor 265.1111993' "$folder/out" || fail "arc: no branching of jointc"
+awk -F, 'NR > 2 && !($7 > 0 && $7 < 1e-9) && $1 == "invariant" { bad = 1 } END { exit bad }' "$folder/arc/curve.csv" ||
+  fail "arc: a point without the error that it carries"
+
+# A law whose soft direction the rounding of its own entries leaves to four digits: said, and no success.
+printf '%s\n' 'title = "beyond"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "linear"' \
+  'K = [[640000000000.36, -479999999999.52, 0], [-479999999999.52, 360000000000.64, 0], [0, 0, 1e12]]' '[[load]]' \
+  'type = "fixed_moment"' 'value = [0.02, 0, 0]' '[path]' 'factor_end = 1' > "$folder/beyond.toml"
+run "$folder/beyond.toml" --formulation invariant,linearized
+code=$?
+[ "$code" -eq 1 ] || fail "a scene beyond double precision exits with $code"
+grep -q 'accurate to .* rad only, beyond double precision' "$folder/out" || fail "it is not said how accurate"
+
+# The linear analysis alone reaches every load: that is no success of a path.
+printf '%s\n' 'title = "too much"' 'formulations = ["jointc", "linearized"]' '[joint]' 'kind = "angular"' '[joint.law]' \
+  'type = "linear"' 'K = [100, 200, 300]' '[[load]]' 'type = "fixed_moment"' 'value = [3e4, 1e4, 2e4]' '[path]' \
+  'factor_end = 1' > "$folder/fold.toml"
+run "$folder/fold.toml" && fail "nothing but the linear analysis arrives, and the exit code is 0"
+grep -q 'fold\|half a turn\|pole' "$folder/out" || fail "no cause is named"
+exit 0
