@@ -11,7 +11,8 @@ class App;
 
 namespace halfway::reports {
 
-/// Those of this program: reports/cli/commands.cpp of `halfway`, reports/suite/commands.cpp of `halfway-suite`.
+/// Those of this program: reports/cli/commands.cpp of `halfway`, reports/suite/commands.cpp of
+/// `halfway-suite`.
 void add_commands(CLI::App& app);
 
 /// Can results be written there? Asked before the work. Throws BadInput.
