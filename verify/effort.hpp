@@ -9,11 +9,13 @@
 
 namespace halfway::verify {
 
-/// `full`, or `quick` where HALFWAY_EFFORT says so.
-inline int by_effort(int full, int quick) {
+inline bool is_quick() {
   const char* effort = std::getenv("HALFWAY_EFFORT");
-  return effort != nullptr && std::string_view(effort) == "quick" ? quick : full;
+  return effort != nullptr && std::string_view(effort) == "quick";
 }
+
+/// `full`, or `quick` where HALFWAY_EFFORT says so.
+inline int by_effort(int full, int quick) { return is_quick() ? quick : full; }
 
 /// All that a full run samples, or every so many of them: the same draws, so that a quick run fails only
 /// where a full one does.

@@ -3,16 +3,9 @@
 
 #include "halfway/joint/formulation.hpp"
 #include "reference/face/instantiations.hpp"
+#include "reference/face/make_formulation.hpp"
 
 namespace halfway::reference {
-
-template <class F>
-F make_formulation(double xi) {
-  if constexpr (requires { F::kProbeXi; })
-    return F(xi);
-  else
-    return F{};
-}
 
 template <class F, Kind kind, class T>
 auto make_joint(const JointSpec& spec) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "halfway/kernels/compensated.hpp"
-#include "reference/face/instance.hpp"
 #include "reference/face/kernel_convert.hpp"
+#include "reference/face/make_formulation.hpp"
 
 namespace halfway::reference {
 

@@ -11,6 +11,7 @@
 #include "reports/views/stability/stability.hpp"
 #include "reports/views/writers.hpp"
 #include "verify/check.hpp"
+#include "verify/effort.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +61,13 @@ std::vector<reference::Finding> findings_of(const verify::Check& check) {
 
 void verify_all(const ReportOptions& options, Results& results) {
   verify::Checks checks = verify::all_checks();
-  std::erase_if(checks, [&](const verify::Check& check) { return !wanted(options, check.name); });
+  std::erase_if(checks, [&](const verify::Check& check) {
+    return !wanted(options, check.name) || (options.quick && check.name.starts_with("saboteurs/"));
+  });
+  if (options.quick) results.left_out.push_back({"that every check can fail (saboteurs)", kQuickReason});
+  if (verify::is_quick())
+    results.left_out.push_back(
+        {"most samples of the expensive checks", "HALFWAY_EFFORT=quick, as ./halfway sets it for --quick"});
   Progress progress("verifying");
   int done = 0;
   for (const verify::Check& check : checks) {
