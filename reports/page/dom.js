@@ -22,7 +22,7 @@ export function h(tag, attributes = {}, ...children) {
 
 const SVG = 'http://www.w3.org/2000/svg';
 /** @type {Record<string, string>} */
-const PATHS = {
+export const PATHS = {
   circle: 'M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0',
   square: 'M-4.4,-4.4h8.8v8.8h-8.8z',
   'triangle-up': 'M0,-5.4L5.4,4.2H-5.4z',
@@ -32,9 +32,13 @@ const PATHS = {
   cross: 'M-5.5,-1.9h3.6v-3.6h3.8v3.6h3.6v3.8h-3.6v3.6h-3.8v-3.6h-3.6z'
 };
 
-function svg(tag, attributes) {
+/** @param {string} tag @param {Record<string, any>} attributes @param {any[]} children
+ * @returns {SVGElement}
+ */
+export function svg(tag, attributes, ...children) {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children.flat(Infinity));
   return element;
 }
 
@@ -165,14 +169,23 @@ export function isolate(label, items, changed) {
   return folds ? h('details', {class: 'more'}, h('summary', {}, `${label} (${items.length})`), box) : box;
 }
 
-/** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row. */
-export function plainTable(label, columns, rows, caption) {
+/** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row.
+ * cards: on narrow screens each row is a card, whose cells say what they are. */
+export function plainTable(label, columns, rows, caption, cards = false) {
   const cell = (content, i) =>
-    h(i ? 'td' : 'th', {scope: i ? null : 'row', class: columns[i].number ? 'number' : null}, content);
+    h(
+      i ? 'td' : 'th',
+      {
+        scope: i ? null : 'row',
+        class: columns[i].number ? 'number' : null,
+        'data-label': cards && i ? columns[i].text : null
+      },
+      content
+    );
   return scrolling(
     h(
       'table',
-      {class: 'compact narrow'},
+      {class: cards ? 'compact narrow cards' : 'compact narrow'},
       caption ? h('caption', {}, caption) : null,
       h(
         'thead',
@@ -192,6 +205,15 @@ export function plainTable(label, columns, rows, caption) {
     label
   );
 }
+
+/** A section that its heading names. @param {string} id @param {string} title @param {any} content */
+export const section = (id, title, content, cls = id) =>
+  h(
+    'section',
+    {class: cls, id, 'aria-labelledby': `${id}-title`},
+    h('h2', {id: `${id}-title`}, title),
+    content
+  );
 
 /** What is there for those who ask. */
 export const folded = (title, content) => h('details', {class: 'more'}, h('summary', {}, title), content);

@@ -1,5 +1,6 @@
 // Chromium, and the page to look at: a report's index.html, or the bundle with the tests' own results.
 import {accessSync, readFileSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
@@ -8,6 +9,10 @@ import {fixture} from './fixture.mjs';
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 const QUIET = ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'];
 const ARGUMENTS = ['--no-sandbox', '--disable-component-update', '--disable-sync', ...QUIET];
+
+/** axe-core, to be evaluated in a page. */
+export const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+export const NO_BROWSER = 'no Chromium (Debian: apt-get install chromium; CHROMIUM names another)';
 
 /** @param {string} file */
 function isThere(file) {

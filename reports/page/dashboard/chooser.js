@@ -1,0 +1,65 @@
+// Which figure: search and filters over all of them.
+import {h, select} from '../dom.js';
+import {plural} from '../format.js';
+
+/** @typedef {import('./dashboard.js').App} App */
+
+const kListed = 200; // figures; the search finds the others
+
+/** Search and filters over the figures. @param {App} app */
+export function chooser(app) {
+  const {history, place} = app;
+  const wanted = {words: '', kind: '', formulation: ''};
+  const count = h('span', {class: 'note', 'aria-live': 'polite'});
+  const list = h('select', {
+    size: 8,
+    class: 'figures',
+    'aria-label': 'Figures',
+    onchange: () => app.go({figure: Number(list.value)})
+  });
+  const fill = () => {
+    const found = history.find(wanted);
+    const shown = found.slice(0, kListed);
+    list.replaceChildren(
+      ...shown.map((i) =>
+        h(
+          'option',
+          {value: i, selected: i === place.figure, title: history.figures.name[i]},
+          history.figures.name[i]
+        )
+      )
+    );
+    count.textContent = `${found.length} of ${plural(history.figures.name.length, 'figure')}${found.length > shown.length ? `, the first ${shown.length} listed` : ''}`;
+  };
+  const change = (/** @type {keyof typeof wanted} */ key) => (/** @type {string} */ value) => {
+    wanted[key] = value;
+    fill();
+  };
+  const options = (all, names) => [
+    {key: '', label: all},
+    ...[...new Set(names)].filter(Boolean).map((n) => ({key: n, label: n}))
+  ];
+  const search = h('input', {
+    type: 'search',
+    id: 'search',
+    placeholder: 'words of the name',
+    oninput: () => change('words')(search.value),
+    onkeydown: (/** @type {KeyboardEvent} */ e) => {
+      if (e.key === 'Enter' && list.options.length) app.go({figure: Number(list.options[0].value)});
+    }
+  });
+  const box = h(
+    'div',
+    {},
+    h(
+      'div',
+      {class: 'controls'},
+      h('label', {for: 'search'}, 'Search ', search),
+      select('Kind', options('all', history.figures.kind), '', change('kind')),
+      select('Formulation', options('all', history.figures.formulation), '', change('formulation')),
+      count
+    ),
+    list
+  );
+  return {box, fill};
+}

@@ -1,0 +1,181 @@
+// The picture of one figure's trend: its line, limits, levels between changes, releases, and a cursor.
+import {PATHS, svg} from '../dom.js';
+import {isNumber} from '../format.js';
+import {look} from '../palette.js';
+import {frameOf, picture, text, xAxis, yAxis} from './plot.js';
+import {evenly, scaleOf} from './scale.js';
+import {linePath} from './spark.js';
+import {extremes, levels, steps} from './trend_data.js';
+import {amount, MARKS} from './words.js';
+
+/** @typedef {import('./history_data.js').History} History */
+/** @typedef {import('./history_data.js').Story} Story */
+/** @typedef {import('./trend_data.js').Trend} Trend */
+/** @typedef {{history: History, figure: number, trend: Trend, changes: Story[], isLog: boolean,
+ *   width: number}} Request */
+
+const kHeight = 340;
+const kTickWidth = 105; // px for one date
+const kLetter = 6.6; // px, about
+/** With more runs than this a dot for each would hide the line. */
+const kDots = 80;
+
+/** Everything that has to be on the axis. @param {Trend} trend */
+export const valuesOf = ({value, low, high, limit}) =>
+  [value, low, high, limit].flatMap((v) => v.filter(isNumber));
+
+/** @param {(number | null)[]} column */
+function stepPath(column, x, y) {
+  let isOn = false;
+  let path = '';
+  column.forEach((v, n) => {
+    if (isNumber(v))
+      path += isOn
+        ? v === column[n - 1]
+          ? ''
+          : `H${x(n).toFixed(1)}V${y.at(v).toFixed(1)}`
+        : `M${x(n).toFixed(1)},${y.at(v).toFixed(1)}`;
+    else if (isOn) path += `H${x(n - 1).toFixed(1)}`;
+    isOn = isNumber(v);
+  });
+  return isOn ? `${path}H${x(column.length - 1).toFixed(1)}` : path;
+}
+
+/** Between low and high, as one area for each stretch that has both. @param {Trend} trend */
+function bandPath({low, high}, x, y, columns) {
+  const there = low.map((l, n) => (isNumber(l) && isNumber(high[n]) ? l : null));
+  const size = Math.max(1, low.length / columns);
+  let path = '';
+  for (let from = 0; from < there.length; from++) {
+    if (there[from] === null) continue;
+    let to = from;
+    while (to + 1 < there.length && there[to + 1] !== null) to++;
+    const edge = (column, pick) => {
+      const points = [];
+      for (let n = from; n <= to; n = Math.max(n + 1, Math.ceil(n + size))) {
+        const part = column.slice(n, Math.min(to + 1, Math.max(n + 1, Math.ceil(n + size))));
+        points.push(`${x(n).toFixed(1)},${y.at(pick(...part)).toFixed(1)}`);
+      }
+      return points;
+    };
+    path += `M${[...edge(high, Math.max), ...edge(low, Math.min).reverse()].join('L')}Z`;
+    from = to;
+  }
+  return path;
+}
+
+/** Vertical marks with words above, where these do not run into one another. */
+function flags(frame, list) {
+  let free = -Infinity;
+  return list.map(({at, cls, words, shape}) => {
+    const width = words.length * kLetter;
+    const begins = Math.max(0, Math.min(at - width / 2, frame.width - width));
+    const isShown = begins > free + 8;
+    if (isShown) free = begins + width;
+    return svg(
+      'g',
+      {class: cls},
+      svg('path', {class: 'mark-line', d: `M${at},${frame.top}V${frame.bottom}`}),
+      shape ? svg('path', {class: 'mark', d: PATHS[shape], transform: `translate(${at},${frame.top})`}) : [],
+      isShown ? text({class: 'flag', x: begins, y: frame.top - 10}, words) : []
+    );
+  });
+}
+
+/** @param {Request} request @param {(n: number) => number} x */
+function changeFlags({history, trend, changes}, frame, x) {
+  const rising = [...changes].sort((a, b) => a.run - b.run);
+  const list = rising.map((c) => ({
+    at: x(trend.runs.indexOf(c.run)),
+    cls: `change ${MARKS[c.verdict].cls}`,
+    words: `${MARKS[c.verdict].mark} ${history.commit(c.run)} ${amount(c)}`,
+    shape: c.verdict === 'regression' ? 'triangle-up' : 'triangle-down'
+  }));
+  return flags(frame, list);
+}
+
+/** @param {Request} request @param {(n: number) => number} x */
+const releaseFlags = ({history, trend}, frame, x) =>
+  trend.runs.flatMap((run, n) =>
+    history.runs.release[run]
+      ? [
+          svg('path', {class: 'release', d: `M${x(n)},${frame.top}V${frame.bottom}`}),
+          text({class: 'flag', x: x(n) + 4, y: frame.bottom - 6}, history.runs.release[run])
+        ]
+      : []
+  );
+
+/** Dates below the axis; of several runs of one day the first. @param {Request} request */
+function dates({history, trend}, frame, x) {
+  const places = evenly(trend.runs.length, Math.floor((frame.right - frame.left) / kTickWidth));
+  const ticks = places.map((n) => ({at: x(n), label: history.day(trend.runs[n])}));
+  return ticks.filter((t, i) => t.label !== ticks[i - 1]?.label);
+}
+
+/** What the line is made of: times as they scatter, everything else as it steps. @param {Request} request */
+function lines({history, figure, trend, changes}, frame, x, y) {
+  const columns = Math.max(1, Math.round(frame.right - frame.left));
+  const color = look(history.figures.formulation[figure] || 'common').color;
+  const dot = (/** @type {number} */ n) => {
+    const v = trend.value[n];
+    const cls = trend.verdict[n] || 'dot';
+    return isNumber(v)
+      ? svg('circle', {class: `dot ${cls}`, cx: x(n), cy: y.at(v), r: 3.2, style: `--color:${color}`})
+      : [];
+  };
+  const limit = svg('path', {class: 'limit', d: stepPath(trend.limit, x, y)});
+  if (history.figures.kind[figure] !== 'time') {
+    return [
+      limit,
+      svg('path', {class: 'line', d: stepPath(trend.value, x, y), style: `--color:${color}`}),
+      steps(trend).map(dot)
+    ];
+  }
+  const points = extremes(trend.value, columns).map((n) => {
+    const v = trend.value[n];
+    return isNumber(v) ? /** @type {[number, number]} */ ([x(n), y.at(v)]) : null;
+  });
+  const isFew = trend.runs.length <= kDots;
+  return [
+    svg('path', {class: 'band', d: bandPath(trend, x, y, columns), style: `--color:${color}`}),
+    svg('path', {class: isFew ? 'line' : 'line fine', d: linePath(points), style: `--color:${color}`}),
+    isFew ? [...trend.runs.keys()].map(dot) : [],
+    limit,
+    levels(trend, changes).map(({from, to, value}) =>
+      svg('path', {class: 'level', d: `M${x(from)},${y.at(value)}H${x(to)}`})
+    )
+  ];
+}
+
+/** The picture, the position of a run under a pixel, and a cursor to put on a run.
+ * @param {Request} request @param {string} label
+ */
+export function trendChart(request, label) {
+  const {history, figure, trend, isLog, width} = request;
+  const frame = frameOf(width, kHeight);
+  frame.top = 58; // room for the flags
+  const last = Math.max(trend.runs.length - 1, 1);
+  const x = (/** @type {number} */ n) => frame.left + ((frame.right - frame.left) * n) / last;
+  const y = scaleOf(valuesOf(trend), frame.bottom, frame.top + 12, isLog);
+  const unit = history.figures.unit[figure];
+  const cursor = svg('path', {class: 'cursor'});
+  const drawn = picture(frame, label);
+  drawn.append(
+    ...yAxis({...frame, top: 26}, y, `${unit || 'value'}${isLog ? ', logarithmic' : ''}`),
+    ...xAxis(frame, dates(request, frame, x), 'runs in order'),
+    ...releaseFlags(request, frame, x),
+    ...lines(request, frame, x, y).flat(),
+    ...changeFlags(request, frame, x),
+    cursor
+  );
+  const nearest = (/** @type {number} */ px) =>
+    Math.min(
+      trend.runs.length - 1,
+      Math.max(0, Math.round(((px - frame.left) / (frame.right - frame.left)) * last))
+    );
+  return {
+    drawn,
+    nearest,
+    point: (/** @type {number} */ n) => cursor.setAttribute('d', `M${x(n)},${frame.top}V${frame.bottom}`)
+  };
+}
