@@ -44,7 +44,7 @@ export const runWords = ({history}, run) => [
 export const amountMark = (c) =>
   h(
     'span',
-    {class: `verdict mark ${MARKS[c.verdict].cls}`},
+    {class: `verdict mark ${c.mended ? 'none' : MARKS[c.verdict].cls}`},
     `${MARKS[c.verdict].mark} ${amount(c) || MARKS[c.verdict].label}`
   );
 
@@ -57,14 +57,18 @@ function row(app, c) {
     : null;
   const cells = [
     figureLink(app, c.figure),
-    [amountMark(c), c.text ? h('span', {class: 'aside'}, c.text) : null],
+    [
+      amountMark(c),
+      history.fails(c) ? h('span', {class: 'aside worse'}, 'fails now') : null,
+      c.text ? h('span', {class: 'aside'}, c.text) : null
+    ],
     `${withUnit(c.before, '')} → ${withUnit(c.after, unit)}`,
     [
       runWords(app, c.run),
       h('span', {class: 'aside'}, `${history.day(c.run)}, ${runsSince(history, c)} with it`),
       mended
     ],
-    sure(c),
+    h('span', {class: 'whole'}, sure(c)),
     sparks.of(c.figure, c.series)
   ];
   return {cells, class: c.mended ? 'mended' : null};
@@ -100,9 +104,11 @@ function answer(app) {
   if (!open.length)
     return [h('strong', {}, 'Nothing got worse'), `, as far as this history knows (${days}).`];
   const [worst] = open;
+  const failing = open.filter((c) => history.fails(c)).length;
+  const fails = failing ? `, ${failing} of them ${failing === 1 ? 'fails' : 'fail'} now` : '';
   return [
-    h('strong', {}, `${plural(open.length, 'figure')} got worse`),
-    ` (${days}). The newest: `,
+    h('strong', {}, `${plural(open.length, 'figure')} got worse${fails}`),
+    ` (${days}). The ${failing ? 'first' : 'newest'}: `,
     figureLink(app, worst.figure),
     ` ${amount(worst) || 'worse'} since `,
     runWords(app, worst.run),
@@ -164,7 +170,7 @@ export function changesSection(app) {
           list();
         }),
         mended
-          ? h('span', {class: 'note'}, `${all.filter(isOpen).length} stand, ${mended} are better again`)
+          ? h('span', {class: 'note'}, `${all.filter(isOpen).length} still worse, ${mended} better again`)
           : ''
       ),
       box

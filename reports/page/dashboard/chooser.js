@@ -1,15 +1,22 @@
 // Which figure: search and filters over all of them.
+import {VERDICTS} from '../data.js';
 import {h, select} from '../dom.js';
 import {plural} from '../format.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 
+const VERDICT_OPTIONS = [
+  {key: '', label: 'all'},
+  ...Object.entries(VERDICTS)
+    .filter(([key]) => key !== 'left_out')
+    .map(([key, {label}]) => ({key, label}))
+];
 const kListed = 200; // figures; the search finds the others
 
 /** Search and filters over the figures. @param {App} app */
 export function chooser(app) {
   const {history, place} = app;
-  const wanted = {words: '', kind: '', formulation: ''};
+  const wanted = {words: '', kind: '', formulation: '', verdict: ''};
   const count = h('span', {class: 'note', 'aria-live': 'polite'});
   const list = h('select', {
     size: 8,
@@ -18,16 +25,13 @@ export function chooser(app) {
     onchange: () => app.go({figure: Number(list.value)})
   });
   const fill = () => {
-    const found = history.find(wanted);
-    const shown = found.slice(0, kListed);
+    const found = history.find({...wanted, series: place.series.number});
+    const first = found.slice(0, kListed);
+    const isFar = found.includes(place.figure) && !first.includes(place.figure);
+    const shown = isFar ? [place.figure, ...first] : first;
+    const {name} = history.figures;
     list.replaceChildren(
-      ...shown.map((i) =>
-        h(
-          'option',
-          {value: i, selected: i === place.figure, title: history.figures.name[i]},
-          history.figures.name[i]
-        )
-      )
+      ...shown.map((i) => h('option', {value: i, selected: i === place.figure, title: name[i]}, name[i]))
     );
     count.textContent = `${found.length} of ${plural(history.figures.name.length, 'figure')}${found.length > shown.length ? `, the first ${shown.length} listed` : ''}`;
   };
@@ -57,6 +61,7 @@ export function chooser(app) {
       h('label', {for: 'search'}, 'Search ', search),
       select('Kind', options('all', history.figures.kind), '', change('kind')),
       select('Formulation', options('all', history.figures.formulation), '', change('formulation')),
+      select('Verdict now', VERDICT_OPTIONS, '', change('verdict')),
       count
     ),
     list

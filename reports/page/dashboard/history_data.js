@@ -17,6 +17,26 @@ function uneven(columns) {
   return bad ? `${bad[0]} has ${bad[1].length} entries, ${first} has ${length}` : '';
 }
 
+/** The first number that leads to nothing, in words, or ''. @param {Index} index */
+function astray({runs, figures, series, latest, changes, pairs, release}) {
+  const counts = {run: runs.commit.length, figure: figures.name.length, series: series.length};
+  /** @type {[string, keyof typeof counts, number[]][]} */
+  const named = [
+    ['a run', 'series', runs.series],
+    ['a latest', 'run', runs.commit.length ? latest.map((l) => l.run) : []],
+    ['a change', 'run', changes.map((c) => c.run)],
+    ['a change', 'figure', changes.map((c) => c.figure)],
+    ['a change', 'series', changes.map((c) => c.series)],
+    ['a pair', 'figure', pairs.flatMap((p) => [p.time, p.error])],
+    ['the release', 'run', release ? [release.run] : []]
+  ];
+  for (const [who, what, numbers] of named) {
+    const bad = numbers.find((n) => !(n >= 0 && n < counts[what]));
+    if (bad !== undefined) return `${who} names ${what} ${bad}, of ${counts[what]}`;
+  }
+  return '';
+}
+
 /** What is wrong with an index, or ''. @param {Index} index */
 export function indexFault(index) {
   if (index?.schema !== SCHEMA || index.version !== VERSION) {
@@ -27,7 +47,7 @@ export function indexFault(index) {
     faults.push(uneven({figures: index.figures.name, value, limit, verdict}));
   }
   if (index.latest.length !== index.series.length) faults.push('not one latest run for each series');
-  return faults.find(Boolean) ?? '';
+  return faults.find(Boolean) ?? astray(index);
 }
 
 const dayOf = (/** @type {number} */ seconds) => new Date(1000 * seconds).toISOString().slice(0, 10);
@@ -118,12 +138,18 @@ export class History {
     return `${this.runs.commit[run].slice(0, 10)}${this.runs.dirty[run] ? ' + changes' : ''}`;
   }
 
-  /** Newest first; what was mended comes last; of one run the largest first.
+  /** Has a regression made a figure fail, which it still does? @param {Story} c */
+  fails(c) {
+    return isOpen(c) && this.latest[c.series].verdict[c.figure] === 'fail';
+  }
+
+  /** What fails comes first, what was mended last; else newest first, and of one run the largest first.
    * @param {number} series @param {(c: Story) => boolean} wanted
    */
   changesOf(series, wanted = () => true) {
     const size = (/** @type {Story} */ c) => Math.abs(c.digits ?? 0) + Math.abs(Math.log(c.ratio ?? 1));
-    const rank = (/** @type {Story} */ c) => (c.mended ? 2 : c.verdict === 'regression' ? 0 : 1);
+    const rank = (/** @type {Story} */ c) =>
+      c.mended ? 3 : c.verdict !== 'regression' ? 2 : this.fails(c) ? 0 : 1;
     return this.changes
       .filter((c) => c.series === series && wanted(c))
       .sort((a, b) => rank(a) - rank(b) || b.run - a.run || size(b) - size(a));
@@ -141,16 +167,17 @@ export class History {
     return kinds.sort((a, b) => order.indexOf(a) - order.indexOf(b));
   }
 
-  /** Figures whose name holds every word, by kind and formulation where these are given.
-   * @param {{words?: string, kind?: string, formulation?: string}} wanted
+  /** Figures whose name holds every word, by kind, formulation and verdict now where these are given.
+   * @param {{series: number, words?: string, kind?: string, formulation?: string, verdict?: string}} wanted
    */
-  find({words = '', kind = '', formulation = ''}) {
+  find({series, words = '', kind = '', formulation = '', verdict = ''}) {
     const parts = words.toLowerCase().split(/\s+/).filter(Boolean);
     const {name, kind: kinds, formulation: formulations} = this.figures;
     return [...name.keys()].filter(
       (i) =>
         (!kind || kinds[i] === kind) &&
         (!formulation || formulations[i] === formulation) &&
+        (!verdict || this.latest[series].verdict[i] === verdict) &&
         parts.every((w) => name[i].toLowerCase().includes(w))
     );
   }

@@ -33,11 +33,12 @@ export const picture = ({width, height}, label) =>
     viewBox: `0 0 ${width} ${height}`
   });
 
-/** @param {number} t @param {boolean} isLog */
+/** In as many digits as it has. @param {number} t @param {boolean} isLog */
 function tickText(t, isLog) {
   const exponent = Math.log10(t);
   const isDecade = isLog && Number.isInteger(exponent) && (exponent < -2 || exponent > 3);
-  return isDecade ? `10${superscript(exponent)}` : short(t, 4);
+  const digits = t.toExponential(5).replace(/0*e.*|[-.]/g, '').length;
+  return isDecade ? `10${superscript(exponent)}` : short(t, Math.max(digits, 1));
 }
 
 /** Horizontal lines with their values, and what they are, above. @param {Frame} frame @param {Scale} y */

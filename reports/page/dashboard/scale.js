@@ -31,7 +31,7 @@ function logTicks(low, high) {
   if (last - first < 1) {
     const near = [first - 1, first, first + 1].flatMap((e) => [1, 2, 5].map((m) => m * 10 ** e));
     const inside = near.filter((t) => t >= low && t <= high);
-    return inside.length > 1 ? inside : linearTicks(low, high);
+    return inside.length > 2 ? inside : linearTicks(low, high);
   }
   const every = Math.ceil((last - first + 1) / kTicks);
   const count = Math.floor((last - first) / every) + 1;

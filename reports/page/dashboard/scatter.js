@@ -92,6 +92,7 @@ function figureOf(app, measured) {
   );
   const range = h('input', {
     type: 'range',
+    class: 'over-runs',
     id: 'when',
     min: 0,
     max: runs.length - 1,
@@ -123,12 +124,7 @@ function figureOf(app, measured) {
   const content = h(
     'figure',
     {},
-    h(
-      'div',
-      {class: 'with-table'},
-      h('div', {}, box, h('label', {class: 'cursor-row'}, 'Run ', range), say),
-      table
-    ),
+    h('div', {class: 'with-table'}, h('div', {}, box, range, say), table),
     h(
       'figcaption',
       {},

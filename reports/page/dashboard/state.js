@@ -32,6 +32,10 @@ function timeCell({history, place}, figure) {
   ];
 }
 
+/** Without the formulation, which heads the row. @param {App['history']['figures']} figures @param {number} i */
+const shortName = ({name, formulation}, i) =>
+  name[i].startsWith(`${formulation[i]}/`) ? name[i].slice(formulation[i].length + 1) : name[i];
+
 /** @param {App} app @param {{figure: number, digits: number} | null} worst */
 function worstCell({history, place}, worst) {
   if (!worst) return '–';
@@ -39,7 +43,7 @@ function worstCell({history, place}, worst) {
     'a',
     {href: place.linkTo(worst.figure)},
     `${short(worst.digits)} in `,
-    h('code', {}, history.figures.name[worst.figure])
+    h('code', {}, shortName(history.figures, worst.figure))
   );
 }
 

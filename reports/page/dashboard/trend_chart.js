@@ -16,7 +16,7 @@ import {amount, MARKS} from './words.js';
 
 const kHeight = 340;
 const kTickWidth = 105; // px for one date
-const kLetter = 6.6; // px, about
+const kLetter = 7.3; // px, about
 /** With more runs than this a dot for each would hide the line. */
 const kDots = 80;
 
@@ -153,7 +153,7 @@ function lines({history, figure, trend, changes}, frame, x, y) {
 export function trendChart(request, label) {
   const {history, figure, trend, isLog, width} = request;
   const frame = frameOf(width, kHeight);
-  frame.top = 58; // room for the flags
+  frame.top = 50; // room for the flags
   const last = Math.max(trend.runs.length - 1, 1);
   const x = (/** @type {number} */ n) => frame.left + ((frame.right - frame.left) * n) / last;
   const y = scaleOf(valuesOf(trend), frame.bottom, frame.top + 12, isLog);
@@ -164,7 +164,7 @@ export function trendChart(request, label) {
     ...yAxis({...frame, top: 26}, y, `${unit || 'value'}${isLog ? ', logarithmic' : ''}`),
     ...xAxis(frame, dates(request, frame, x), 'runs in order'),
     ...releaseFlags(request, frame, x),
-    ...lines(request, frame, x, y).flat(),
+    ...lines(request, frame, x, y).flat(2),
     ...changeFlags(request, frame, x),
     cursor
   );

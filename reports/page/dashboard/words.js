@@ -25,7 +25,7 @@ export function amount({digits, ratio, verdict}) {
 }
 
 /** How sure. @param {Story} c */
-export const sure = ({p}) => (isNumber(p) ? (p === 0 ? 'p ≈ 0' : `p = ${short(p)}`) : 'exact');
+export const sure = ({p}) => (isNumber(p) ? (p === 0 ? 'p ≈ 0' : `p = ${short(p, 1)}`) : 'exact');
 
 export const MARKS = {
   regression: {mark: '✗', cls: 'fail', label: 'worse'},

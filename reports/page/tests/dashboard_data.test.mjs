@@ -114,6 +114,14 @@ test('an index of another schema, version or uneven columns is refused by what i
     /value has 18 entries, figures has 19/
   );
   assert.match(
+    faultOf((n) => (n.changes[0].run = 72)),
+    /a change names run 72, of 72/
+  );
+  assert.match(
+    faultOf((n) => (n.pairs[0].error = -1)),
+    /a pair names figure -1/
+  );
+  assert.match(
     faultOf((i) => i.latest.pop()),
     /latest run for each series/
   );
@@ -133,6 +141,13 @@ test('regressions come first, newest first; what was mended comes last and does 
   assert.equal(list.at(-1).mended.verdict, 'improvement');
   assert.equal(list.filter(isOpen).length, 2);
   assert.ok(list.findIndex((c) => c.verdict === 'improvement') > 1);
+});
+
+test('what fails comes before what is newer', () => {
+  const index = structuredClone(small.index);
+  index.latest[0].verdict[numberOf(TIME)] = 'fail';
+  const [first] = new History(index).changesOf(0);
+  assert.equal(history.figures.name[first.figure], TIME);
 });
 
 test('a series keeps its key whatever its number', () => {
@@ -292,5 +307,5 @@ test('changes in words', () => {
   assert.equal(amount({...c, digits: -0.5}), '0.5 digits lost');
   assert.equal(amount({...c, digits: 0.5, verdict: 'improvement'}), '0.5 digits gained');
   assert.equal(amount(c), '');
-  assert.deepEqual([sure(c), sure({...c, p: 2e-4})], ['exact', 'p = 2.0·10⁻⁴']);
+  assert.deepEqual([sure(c), sure({...c, p: 2e-4})], ['exact', 'p = 2·10⁻⁴']);
 });

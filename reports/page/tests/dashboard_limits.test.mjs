@@ -65,6 +65,8 @@ for (const width of [1400, 900, 380]) {
     open({width, hash: linkTo(TIME)}, async (page) => {
       await drawn(page);
       await page.waitForSelector('#scatter svg.plot');
+      await page.getByText('As a table').click();
+      await page.waitForSelector('#trend tbody tr');
       const cut = () =>
         page.evaluate(() => {
           for (const details of document.querySelectorAll('main details')) details.open = true;

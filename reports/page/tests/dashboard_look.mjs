@@ -34,7 +34,7 @@ function aroundReport({findings, timings}) {
   change('jointc/linear/residual_tangent/batch/avx2/float/no_ends/256', [90, 0.84]);
   change('simbody_xyz/angular/residual/kernel', [20, 0.7]);
   change('exudyn_intrinsic/linear/kernel_tangent', [121, 3.1]);
-  change('chrono_body/linear_angular/rounding_tangent', [140, 4]);
+  change('chrono_body/linear_angular/rounding_tangent', [125, 4]);
   change('field_b/angular/batch_sse2_polynomial_tangent', [101, 0.4]);
   const pairs = [...new Set(timings.map((t) => t.formulation))].filter(Boolean).flatMap((formulation) =>
     ['angular', 'linear', 'linear_angular'].map((kind) => ({
