@@ -68,10 +68,14 @@ export function swatch({color, dash, shape}) {
   return picture;
 }
 
+/** @param {string} label @param {() => void} pressed */
+export const button = (label, pressed) =>
+  h('button', {type: 'button', class: 'plain', onclick: pressed}, label);
+
 /** A row of toggle buttons that wraps; `items`: {key, label, swatch, on}. Items off at the start fold away. */
 export function toggles(label, items, changed) {
   const buttons = items.map((item) => {
-    const button = h(
+    const own = h(
       'button',
       {
         type: 'button',
@@ -80,14 +84,14 @@ export function toggles(label, items, changed) {
         title: item.title,
         onclick: () => {
           item.on = !item.on;
-          button.setAttribute('aria-pressed', String(item.on));
+          own.setAttribute('aria-pressed', String(item.on));
           changed(items.filter((i) => i.on).map((i) => i.key));
         }
       },
       item.swatch ?? '',
       item.label
     );
-    return button;
+    return own;
   });
   const few = items.length <= 6;
   const first = buttons.filter((_, i) => few || items[i].on);

@@ -1,10 +1,10 @@
 // What got worse, since when, and how sure that is.
-import {choice, h, plainTable, swatch} from '../dom.js';
+import {choice, h} from '../dom.js';
 import {plural} from '../format.js';
-import {look} from '../palette.js';
 import {isOpen} from './history_data.js';
+import {amountMark, figureLink, growingTable, nothing, runWords} from './pieces.js';
 import {SHOWN} from './place.js';
-import {amount, MARKS, runsSince, sure, withUnit} from './words.js';
+import {amount, runsSince, sure, withUnit} from './words.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 /** @typedef {import('./history_data.js').Story} Story */
@@ -18,35 +18,6 @@ const COLUMNS = [
   {text: 'how sure'},
   {text: 'trend'}
 ];
-
-/** A figure's name as a link to its trend, with the symbol of its formulation.
- * @param {App} app @param {number} figure
- */
-export function figureLink({history, place}, figure) {
-  const {name, formulation} = history.figures;
-  const symbol = formulation[figure] ? swatch({...look(formulation[figure]), dash: undefined}) : '';
-  return h(
-    'span',
-    {class: 'name'},
-    symbol,
-    h('a', {href: place.linkTo(figure)}, h('code', {}, name[figure]))
-  );
-}
-
-/** Commit, title and day of a run. @param {App} app @param {number} run */
-export const runWords = ({history}, run) => [
-  h('code', {}, history.commit(run)),
-  ` ${history.runs.title[run]}`,
-  history.runs.release[run] ? `, release ${history.runs.release[run]}` : ''
-];
-
-/** @param {Story} c */
-export const amountMark = (c) =>
-  h(
-    'span',
-    {class: `verdict mark ${c.mended ? 'none' : MARKS[c.verdict].cls}`},
-    `${MARKS[c.verdict].mark} ${amount(c) || MARKS[c.verdict].label}`
-  );
 
 /** @param {App} app @param {Story} c */
 function row(app, c) {
@@ -71,25 +42,12 @@ function row(app, c) {
     h('span', {class: 'whole'}, sure(c)),
     sparks.of(c.figure, c.series)
   ];
-  return {cells, class: c.mended ? 'mended' : null};
+  return cells;
 }
 
 /** A table of changes, the first ones at once. @param {App} app @param {string} label @param {Story[]} list */
-export function changesTable(app, label, list) {
-  const box = h('div');
-  const draw = (/** @type {number} */ count) => {
-    const rows = list.slice(0, count).map((c) => row(app, c));
-    const rest = list.length - rows.length;
-    box.replaceChildren(
-      plainTable(label, COLUMNS, rows, undefined, true),
-      rest > 0
-        ? h('button', {type: 'button', class: 'plain', onclick: () => draw(list.length)}, `Show ${rest} more`)
-        : ''
-    );
-  };
-  draw(kFirst);
-  return box;
-}
+export const changesTable = (app, label, list) =>
+  growingTable({label, columns: COLUMNS, cards: true}, list, (c) => row(app, c), kFirst);
 
 /** The one sentence of the page. @param {App} app */
 function answer(app) {
@@ -144,9 +102,7 @@ export function changesSection(app) {
   const wanted = (/** @type {Story} */ c) => place.show === 'all' || c.verdict === place.show;
   const list = () => {
     const found = history.changesOf(place.series.number, wanted);
-    box.replaceChildren(
-      found.length ? changesTable(app, 'Changes', found) : h('p', {class: 'empty'}, NONE[place.show])
-    );
+    box.replaceChildren(found.length ? changesTable(app, 'Changes', found) : nothing(NONE[place.show]));
   };
   const body = h('div');
   const show = () => {

@@ -33,7 +33,8 @@ export function chooser(app) {
     list.replaceChildren(
       ...shown.map((i) => h('option', {value: i, selected: i === place.figure, title: name[i]}, name[i]))
     );
-    count.textContent = `${found.length} of ${plural(history.figures.name.length, 'figure')}${found.length > shown.length ? `, the first ${shown.length} listed` : ''}`;
+    const part = first.length < found.length ? `, the first ${first.length} listed` : '';
+    count.textContent = `${found.length} of ${plural(name.length, 'figure')}${part}`;
   };
   const change = (/** @type {keyof typeof wanted} */ key) => (/** @type {string} */ value) => {
     wanted[key] = value;

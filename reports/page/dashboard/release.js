@@ -1,7 +1,8 @@
 // What changed since the last release.
 import {folded, h} from '../dom.js';
 import {plural} from '../format.js';
-import {changesTable, runWords} from './changes.js';
+import {changesTable} from './changes.js';
+import {nothing, runWords} from './pieces.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 
@@ -14,7 +15,7 @@ export function releaseSection(app) {
   const show = () => {
     const {release} = history;
     if (!release) {
-      body.replaceChildren(h('p', {class: 'empty'}, 'No run in this history is a release.'));
+      body.replaceChildren(nothing('No run in this history is a release.'));
       return;
     }
     const since = place.series.runs.filter((run) => run > release.run);

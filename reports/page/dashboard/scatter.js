@@ -1,9 +1,9 @@
 // Accuracy against speed of each formulation, at any run.
 import {kindLabel, KINDS} from '../accuracy_data.js';
-import {choice, h, PATHS, plainTable, svg, swatch} from '../dom.js';
+import {choice, h, PATHS, plainTable, svg} from '../dom.js';
 import {plural, short} from '../format.js';
 import {look} from '../palette.js';
-import {runWords} from './changes.js';
+import {formulationName, nothing, runSlider, runWords} from './pieces.js';
 import {frameOf, picture, text, xAxis, xTicks, yAxis} from './plot.js';
 import {evenly, scaleOf} from './scale.js';
 import {extents, placed, pointsAt} from './scatter_data.js';
@@ -63,16 +63,7 @@ function pointsTable(measured, n) {
   return plainTable(
     'Accuracy and speed at this run',
     [{text: 'formulation'}, {text: 'error', number: true}, {text: 'ns', number: true}],
-    rows.map((p) => [
-      h(
-        'span',
-        {class: 'name'},
-        swatch({...look(p.formulation), dash: undefined}),
-        h('code', {}, p.formulation)
-      ),
-      short(p.error, 3),
-      short(p.ns, 3)
-    ])
+    rows.map((p) => [formulationName(p.formulation), short(p.error, 3), short(p.ns, 3)])
   );
 }
 
@@ -90,15 +81,6 @@ function figureOf(app, measured) {
     0,
     runs.findIndex((run) => run >= (history.release?.run ?? 0))
   );
-  const range = h('input', {
-    type: 'range',
-    class: 'over-runs',
-    id: 'when',
-    min: 0,
-    max: runs.length - 1,
-    'aria-label': 'Run shown',
-    value: asked < 0 ? runs.length - 1 : asked
-  });
   const label = (/** @type {number} */ n) =>
     `Error against time of ${plural(measured.length, 'formulation')}, ${kindLabel(place.kind)}, at ${history.commit(runs[n])} of ${history.day(runs[n])}`;
   const draw = () => {
@@ -108,8 +90,9 @@ function figureOf(app, measured) {
     box.replaceChildren(scatterChart(measured, n, first, Math.max(box.clientWidth, 280), label(n)));
     table.replaceChildren(pointsTable(measured, n));
   };
-  range.addEventListener('input', () => {
-    place.run = Number(range.value) === runs.length - 1 ? '' : history.runs.commit[runs[Number(range.value)]];
+  const at = asked < 0 ? runs.length - 1 : asked;
+  const range = runSlider({id: 'when', label: 'Run shown', count: runs.length, at}, (n) => {
+    place.run = n === runs.length - 1 ? '' : history.runs.commit[runs[n]];
     place.write();
     draw();
   });
@@ -159,9 +142,7 @@ export function scatterSection(app) {
     const measured = await measure();
     if (series !== place.series || kind !== place.kind) return; // chosen anew in the meantime
     if (!measured.length) {
-      body.replaceChildren(
-        h('p', {class: 'empty'}, 'This series holds no formulation with both a time and an error.')
-      );
+      body.replaceChildren(nothing('This series holds no formulation with both a time and an error.'));
       return;
     }
     const figure = figureOf(app, measured);
@@ -175,7 +156,7 @@ export function scatterSection(app) {
     figure.draw();
     ({print, draw: redraw} = figure);
   };
-  const show = () => fill().catch((error) => body.replaceChildren(h('p', {class: 'empty'}, error.message)));
+  const show = () => fill().catch((error) => body.replaceChildren(nothing(error.message)));
   window.addEventListener('resize', () => redraw());
   return {content: body, show};
 }

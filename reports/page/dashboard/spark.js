@@ -2,7 +2,7 @@
 import {h, svg} from '../dom.js';
 import {isNumber} from '../format.js';
 import {logFits, scaleOf} from './scale.js';
-import {extremes, medians} from './trend_data.js';
+import {extremes, median, medians} from './trend_data.js';
 import {MARKS} from './words.js';
 
 /** @typedef {import('./dashboard.js').App} App */
@@ -11,6 +11,8 @@ const kWidth = 130;
 const kHeight = 30;
 const kInset = 4;
 const kColumns = 60;
+/** Times are shown at least this far around their middle: what is only noise should look so. */
+const kAround = [0.92, 1.08];
 
 /** A line through pixels; a gap begins anew. @param {([number, number] | null)[]} points */
 export const linePath = (points) =>
@@ -25,7 +27,8 @@ function drawn({runs, value}, changes, isTime) {
     : extremes(value, kColumns).map((n) => ({n, value: value[n] ?? null}));
   const values = places.map((p) => p.value).filter(isNumber);
   const x = (/** @type {number} */ n) => kInset + ((kWidth - 2 * kInset) * n) / Math.max(runs.length - 1, 1);
-  const y = scaleOf(values, kHeight - kInset, kInset, logFits(values));
+  const around = isTime ? kAround.map((f) => f * median(values)) : [];
+  const y = scaleOf([...values, ...around], kHeight - kInset, kInset, logFits(values));
   const points = places.map((p) =>
     isNumber(p.value) ? /** @type {[number, number]} */ ([x(p.n), y.at(p.value)]) : null
   );

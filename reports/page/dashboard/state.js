@@ -1,10 +1,10 @@
 // How each formulation stands now.
 import {kindLabel} from '../accuracy_data.js';
 import {VERDICTS} from '../data.js';
-import {h, plainTable, swatch} from '../dom.js';
+import {h, plainTable} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
-import {look} from '../palette.js';
 import {isOpen} from './history_data.js';
+import {formulationName} from './pieces.js';
 import {COMMON, statesOf} from './state_data.js';
 import {amount} from './words.js';
 
@@ -66,9 +66,7 @@ export function stateSection(app) {
     const rows = statesOf(history, series).map(({name, tally, worst, times}) => {
       const first = times.get(kinds[0]);
       return [
-        name === COMMON
-          ? 'common to all'
-          : h('span', {class: 'name'}, swatch({...look(name), dash: undefined}), h('code', {}, name)),
+        name === COMMON ? 'common to all' : formulationName(name),
         ...COUNTED.map((v) => tallyCell(v, tally[v])),
         worstCell(app, worst),
         ...kinds.map((k) => timeCell(app, times.get(k))),

@@ -1,8 +1,8 @@
 // The trend of one figure: search, picture, a cursor over its runs, table, files.
-import {choice, h, plainTable} from '../dom.js';
+import {button, choice, h} from '../dom.js';
 import {isNumber, plural, short} from '../format.js';
-import {amountMark, figureLink, runWords} from './changes.js';
 import {chooser} from './chooser.js';
+import {amountMark, figureLink, growingTable, nothing, runSlider, runWords} from './pieces.js';
 import {svgFile} from './plot.js';
 import {logCan, logFits} from './scale.js';
 import {trendChart, valuesOf} from './trend_chart.js';
@@ -14,11 +14,15 @@ import {amount, MARKS, sure, withUnit} from './words.js';
 /** @typedef {import('./trend_data.js').Trend} Trend */
 
 const kRows = 50; // of the table, at first
+/** @type {('value' | 'low' | 'high' | 'limit')[]} */
+const NUMBERS = ['value', 'low', 'high', 'limit'];
 const BETTER = {down: 'smaller is better', up: 'larger is better', none: 'neither way is better'};
 const AXES = [
   {key: 'linear', label: 'linear'},
   {key: 'log', label: 'logarithmic'}
 ];
+
+const verdictText = (/** @type {string} */ verdict) => verdict.replace('_', ' ');
 
 /** One run in words. @param {App} app @param {Trend} trend @param {number} n */
 function readout({history, place}, trend, n) {
@@ -30,7 +34,7 @@ function readout({history, place}, trend, n) {
     `${history.day(run)} ${commit} ${title[run]}: ${withUnit(trend.value[n], unit)}`,
     isNumber(low) && isNumber(high) ? `${short(low, 4)} to ${short(high, 4)}` : '',
     isNumber(limit) ? `limit ${short(limit, 4)}` : '',
-    trend.verdict[n].replace('_', ' '),
+    verdictText(trend.verdict[n]),
     release[run] ? `release ${release[run]}` : '',
     isNumber(load[run]) ? `load ${short(load[run])}` : ''
   ]
@@ -40,68 +44,35 @@ function readout({history, place}, trend, n) {
 
 /** A file that the reader keeps. @param {string} name @param {string} type @param {() => string} content */
 const download = (label, name, type, content) =>
-  h(
-    'button',
-    {
-      type: 'button',
-      class: 'plain',
-      onclick: () => {
-        const href = URL.createObjectURL(new Blob([content()], {type}));
-        h('a', {href, download: name}).click();
-        setTimeout(() => URL.revokeObjectURL(href));
-      }
-    },
-    label
-  );
+  button(label, () => {
+    const href = URL.createObjectURL(new Blob([content()], {type}));
+    h('a', {href, download: name}).click();
+    setTimeout(() => URL.revokeObjectURL(href));
+  });
 
-/** @param {App} app @param {Trend} trend */
+/** Every run, filled in when it is opened. @param {App} app @param {Trend} trend */
 function table(app, trend) {
   const {history, place} = app;
+  const known = NUMBERS.filter((key) => trend[key].some(isNumber));
+  const isJudged = trend.verdict.some(Boolean);
   const columns = [
-    {text: 'run'},
-    {text: 'date'},
-    {text: 'value', number: true},
-    {text: 'low', number: true},
-    {text: 'high', number: true},
-    {text: 'limit', number: true},
-    {text: 'verdict'}
-  ].filter(
-    ({text}) =>
-      !['low', 'high', 'limit', 'verdict'].includes(text) || trend[text].some((v) => v !== null && v !== '')
-  );
-  const cell = (n) => ({
-    ...{
-      run: runWords(app, trend.runs[n]),
-      date: history.day(trend.runs[n]),
-      verdict: trend.verdict[n].replace('_', ' ')
-    },
-    ...{value: short(trend.value[n], 4), low: short(trend.low[n], 4), high: short(trend.high[n], 4)},
-    limit: short(trend.limit[n], 4)
-  });
-  const newest = [...trend.runs.keys()].reverse();
+    ...['run', 'date'].map((text) => ({text})),
+    ...known.map((text) => ({text, number: true})),
+    ...(isJudged ? [{text: 'verdict'}] : [])
+  ];
+  const rowOf = (/** @type {number} */ n) => [
+    runWords(app, trend.runs[n]),
+    history.day(trend.runs[n]),
+    ...known.map((key) => short(trend[key][n], 4)),
+    ...(isJudged ? [verdictText(trend.verdict[n])] : [])
+  ];
+  const label = `Runs of ${history.figures.name[place.figure]}`;
   const box = h('div');
-  const draw = (/** @type {number} */ count) =>
-    box.replaceChildren(
-      plainTable(
-        `Runs of ${history.figures.name[place.figure]}`,
-        columns,
-        newest.slice(0, count).map((n) => columns.map((c) => cell(n)[c.text]))
-      ),
-      count < newest.length
-        ? h(
-            'button',
-            {type: 'button', class: 'plain', onclick: () => draw(newest.length)},
-            `Show all ${newest.length} runs`
-          )
-        : ''
-    );
-  const details = h(
-    'details',
-    {class: 'more', ontoggle: () => details.open && !box.hasChildNodes() && draw(kRows)},
-    h('summary', {}, 'As a table'),
-    box
-  );
-  return details;
+  const fill = () => {
+    if (box.hasChildNodes()) return;
+    box.append(growingTable({label, columns}, [...trend.runs.keys()].reverse(), rowOf, kRows));
+  };
+  return h('details', {class: 'more', ontoggle: fill}, h('summary', {}, 'As a table'), box);
 }
 
 /** The changes of the figure in words. @param {App} app @param {Story[]} changes */
@@ -131,15 +102,6 @@ function figureOf(app, trend, changes) {
   let isLog = logFits(values);
   const box = h('div', {class: 'chart'});
   const say = h('output', {class: 'readout', for: 'cursor'});
-  const range = h('input', {
-    type: 'range',
-    class: 'over-runs',
-    id: 'cursor',
-    min: 0,
-    max: trend.runs.length - 1,
-    value: trend.runs.length - 1,
-    'aria-label': 'Run'
-  });
   const label = `Trend of ${name} over ${plural(trend.runs.length, 'run')}: last ${withUnit(trend.value.at(-1), history.figures.unit[figure])}. ${changes
     .map((c) => `${MARKS[c.verdict].label} at ${history.commit(c.run)}, ${amount(c)}`)
     .join('; ')}`;
@@ -163,13 +125,13 @@ function figureOf(app, trend, changes) {
     box.replaceChildren(chart.drawn);
     point(Number(range.value));
   };
-  range.addEventListener('input', () => point(Number(range.value)));
+  const last = trend.runs.length - 1;
+  const range = runSlider({id: 'cursor', label: 'Run', count: last + 1, at: last}, point);
   const jump = (/** @type {number} */ way) => () => {
     const places = changes.map((c) => trend.runs.indexOf(c.run)).sort((a, b) => way * (a - b));
     const next = places.find((n) => way * (n - Number(range.value)) > 0);
     if (next !== undefined) point(next);
   };
-  const button = (text, way) => h('button', {type: 'button', class: 'plain', onclick: jump(way)}, text);
   const axis = choice('Axis', AXES, isLog ? 'log' : 'linear', (key) => {
     isLog = key === 'log';
     draw();
@@ -189,7 +151,9 @@ function figureOf(app, trend, changes) {
       h(
         'div',
         {class: 'controls'},
-        changes.length ? h('span', {class: 'toggles'}, button('‹ change', -1), button('change ›', 1)) : '',
+        changes.length
+          ? h('span', {class: 'toggles'}, button('‹ change', jump(-1)), button('change ›', jump(1)))
+          : '',
         logCan(values) ? axis : '',
         download('SVG', `${safe}.svg`, 'image/svg+xml', () => svgFile(chart.drawn)),
         download('CSV', `${safe}.csv`, 'text/csv', () => csvOf(history, figure, trend))
@@ -233,10 +197,7 @@ export function trendSection(app) {
       const trend = await app.trend(figure, series.number);
       if (ticket !== asked) return; // another was chosen in the meantime
       if (!trend.value.some(isNumber)) {
-        shown.replaceChildren(
-          ...head,
-          h('p', {class: 'empty'}, `${name[figure]} was never measured in this series.`)
-        );
+        shown.replaceChildren(...head, nothing(`${name[figure]} was never measured in this series.`));
         return;
       }
       const changes = history.changesOf(series.number, (c) => c.figure === figure);
@@ -246,8 +207,7 @@ export function trendSection(app) {
       performance.mark('trend'); // what tests measure
       redraw = draw;
     } catch (error) {
-      if (ticket === asked)
-        shown.replaceChildren(...head, h('p', {class: 'empty'}, /** @type {Error} */ (error).message));
+      if (ticket === asked) shown.replaceChildren(...head, nothing(/** @type {Error} */ (error).message));
     }
   };
   return {content: h('div', {}, box, shown), show};

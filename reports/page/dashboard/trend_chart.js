@@ -24,44 +24,36 @@ const kDots = 80;
 export const valuesOf = ({value, low, high, limit}) =>
   [value, low, high, limit].flatMap((v) => v.filter(isNumber));
 
+const px = (/** @type {number} */ v) => v.toFixed(1);
+
 /** @param {(number | null)[]} column */
 function stepPath(column, x, y) {
   let isOn = false;
-  let path = '';
-  column.forEach((v, n) => {
-    if (isNumber(v))
-      path += isOn
-        ? v === column[n - 1]
-          ? ''
-          : `H${x(n).toFixed(1)}V${y.at(v).toFixed(1)}`
-        : `M${x(n).toFixed(1)},${y.at(v).toFixed(1)}`;
-    else if (isOn) path += `H${x(n - 1).toFixed(1)}`;
+  const parts = column.map((v, n) => {
+    const was = isOn;
     isOn = isNumber(v);
+    if (!isNumber(v)) return was ? `H${px(x(n - 1))}` : '';
+    if (!was) return `M${px(x(n))},${px(y.at(v))}`;
+    return v === column[n - 1] ? '' : `H${px(x(n))}V${px(y.at(v))}`;
   });
-  return isOn ? `${path}H${x(column.length - 1).toFixed(1)}` : path;
+  return parts.join('') + (isOn ? `H${px(x(column.length - 1))}` : '');
 }
 
-/** Between low and high, as one area for each stretch that has both. @param {Trend} trend */
-function bandPath({low, high}, x, y, columns) {
-  const there = low.map((l, n) => (isNumber(l) && isNumber(high[n]) ? l : null));
-  const size = Math.max(1, low.length / columns);
-  let path = '';
-  for (let from = 0; from < there.length; from++) {
-    if (there[from] === null) continue;
-    let to = from;
-    while (to + 1 < there.length && there[to + 1] !== null) to++;
-    const edge = (column, pick) => {
-      const points = [];
-      for (let n = from; n <= to; n = Math.max(n + 1, Math.ceil(n + size))) {
-        const part = column.slice(n, Math.min(to + 1, Math.max(n + 1, Math.ceil(n + size))));
-        points.push(`${x(n).toFixed(1)},${y.at(pick(...part)).toFixed(1)}`);
-      }
-      return points;
-    };
-    path += `M${[...edge(high, Math.max), ...edge(low, Math.min).reverse()].join('L')}Z`;
-    from = to;
-  }
-  return path;
+/** From low to high, upright; of several runs in one column of pixels the outermost. @param {Trend} trend */
+function whiskers({low, high}, x, y, columns) {
+  const step = Math.max(1, low.length / columns);
+  /** @type {Map<number, {n: number, ends: number[]}>} */
+  const byColumn = new Map();
+  low.forEach((l, n) => {
+    const c = Math.floor(n / step);
+    const {ends} = byColumn.get(c) ?? {ends: []};
+    const there = [...ends, l, high[n]].filter(isNumber);
+    if (there.length) byColumn.set(c, {n, ends: [Math.min(...there), Math.max(...there)]});
+  });
+  const path = [...byColumn.values()].map(
+    ({n, ends: [a, b]}) => `M${px(x(n))},${px(y.at(a))}V${px(y.at(b))}`
+  );
+  return path.join('');
 }
 
 /** Vertical marks with words above, where these do not run into one another. */
@@ -137,7 +129,7 @@ function lines({history, figure, trend, changes}, frame, x, y) {
   });
   const isFew = trend.runs.length <= kDots;
   return [
-    svg('path', {class: 'band', d: bandPath(trend, x, y, columns), style: `--color:${color}`}),
+    svg('path', {class: 'whiskers', d: whiskers(trend, x, y, columns), style: `--color:${color}`}),
     svg('path', {class: isFew ? 'line' : 'line fine', d: linePath(points), style: `--color:${color}`}),
     isFew ? [...trend.runs.keys()].map(dot) : [],
     limit,
@@ -168,10 +160,10 @@ export function trendChart(request, label) {
     ...changeFlags(request, frame, x),
     cursor
   );
-  const nearest = (/** @type {number} */ px) =>
+  const nearest = (/** @type {number} */ across) =>
     Math.min(
       trend.runs.length - 1,
-      Math.max(0, Math.round(((px - frame.left) / (frame.right - frame.left)) * last))
+      Math.max(0, Math.round(((across - frame.left) / (frame.right - frame.left)) * last))
     );
   return {
     drawn,

@@ -82,7 +82,7 @@ export function extremes(values, columns) {
 }
 
 /** @param {number[]} values */
-function median(values) {
+export function median(values) {
   const sorted = Float64Array.from(values).sort();
   const middle = sorted.length >> 1;
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;

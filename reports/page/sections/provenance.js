@@ -1,5 +1,5 @@
 // Where the numbers come from, and the command that makes them again.
-import {h} from '../dom.js';
+import {button, h} from '../dom.js';
 import {seconds} from '../format.js';
 
 /** @param {import('../data.js').Results} results */
@@ -29,7 +29,7 @@ export function provenance(results, raw) {
       'Reproduce with ',
       h('code', {class: 'command'}, results.command),
       ' in a checkout of the commit below. The numbers of this page are inside it: ',
-      h('button', {type: 'button', class: 'plain', onclick: save}, 'save results.json'),
+      button('save results.json', save),
       '.'
     ),
     h(

@@ -164,7 +164,7 @@ test('every chart has a table', {skip}, () =>
     await page.getByText('As a table').click();
     await rows(page, 'trend').nth(49).waitFor();
     assert.equal(await rows(page, 'trend').count(), 50);
-    await page.getByRole('button', {name: 'Show all 60 runs'}).click();
+    await page.getByRole('button', {name: 'Show 10 more'}).click();
     assert.equal(await rows(page, 'trend').count(), 60);
     assert.ok(await rows(page, 'scatter').count());
   })
