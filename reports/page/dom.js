@@ -72,6 +72,14 @@ export function swatch({color, dash, shape}) {
 export const button = (label, pressed) =>
   h('button', {type: 'button', class: 'plain', onclick: pressed}, label);
 
+/** A button that gives a file to keep. @param {string} type @param {() => string} content */
+export const download = (/** @type {string} */ label, /** @type {string} */ name, type, content) =>
+  button(label, () => {
+    const href = URL.createObjectURL(new Blob([content()], {type}));
+    h('a', {href, download: name}).click();
+    setTimeout(() => URL.revokeObjectURL(href));
+  });
+
 /** A row of toggle buttons that wraps; `items`: {key, label, swatch, on}. Items off at the start fold away. */
 export function toggles(label, items, changed) {
   const buttons = items.map((item) => {

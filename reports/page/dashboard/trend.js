@@ -1,5 +1,5 @@
 // The trend of one figure: search, picture, a cursor over its runs, table, files.
-import {button, choice, h} from '../dom.js';
+import {button, choice, download, h} from '../dom.js';
 import {isNumber, plural, short} from '../format.js';
 import {chooser} from './chooser.js';
 import {amountMark, figureLink, growingTable, nothing, runSlider, runWords} from './pieces.js';
@@ -41,14 +41,6 @@ function readout({history, place}, trend, n) {
     .filter(Boolean)
     .join(', ');
 }
-
-/** A file that the reader keeps. @param {string} name @param {string} type @param {() => string} content */
-const download = (label, name, type, content) =>
-  button(label, () => {
-    const href = URL.createObjectURL(new Blob([content()], {type}));
-    h('a', {href, download: name}).click();
-    setTimeout(() => URL.revokeObjectURL(href));
-  });
 
 /** Every run, filled in when it is opened. @param {App} app @param {Trend} trend */
 function table(app, trend) {

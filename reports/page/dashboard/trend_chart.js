@@ -56,46 +56,42 @@ function whiskers({low, high}, x, y, columns) {
   return path.join('');
 }
 
-/** Vertical marks with words above, where these do not run into one another. */
-function flags(frame, list) {
+/** Upright marks with words at height `row`, where these do not run into one another.
+ * @param {import('./plot.js').Frame} frame @param {number} row
+ * @param {{at: number, cls: string, words: string, shape?: string}[]} list
+ */
+function flags({width, top, bottom}, row, list) {
   let free = -Infinity;
   return list.map(({at, cls, words, shape}) => {
-    const width = words.length * kLetter;
-    const begins = Math.max(0, Math.min(at - width / 2, frame.width - width));
+    const length = words.length * kLetter;
+    const begins = Math.max(0, Math.min(at - length / 2, width - length));
     const isShown = begins > free + 8;
-    if (isShown) free = begins + width;
+    if (isShown) free = begins + length;
     return svg(
       'g',
       {class: cls},
-      svg('path', {class: 'mark-line', d: `M${at},${frame.top}V${frame.bottom}`}),
-      shape ? svg('path', {class: 'mark', d: PATHS[shape], transform: `translate(${at},${frame.top})`}) : [],
-      isShown ? text({class: 'flag', x: begins, y: frame.top - 10}, words) : []
+      svg('path', {class: 'mark-line', d: `M${at},${top}V${bottom}`}),
+      shape ? svg('path', {class: 'mark', d: PATHS[shape], transform: `translate(${at},${top})`}) : [],
+      isShown ? text({class: 'flag', x: begins, y: row}, words) : []
     );
   });
 }
 
-/** @param {Request} request @param {(n: number) => number} x */
-function changeFlags({history, trend, changes}, frame, x) {
+/** Changes with their commit, and releases. @param {Request} request @param {(n: number) => number} x */
+function allFlags({history, trend, changes}, frame, x) {
   const rising = [...changes].sort((a, b) => a.run - b.run);
-  const list = rising.map((c) => ({
+  const found = rising.map((c) => ({
     at: x(trend.runs.indexOf(c.run)),
     cls: `change ${MARKS[c.verdict].cls}`,
     words: `${MARKS[c.verdict].mark} ${history.commit(c.run)} ${amount(c)}`,
     shape: c.verdict === 'regression' ? 'triangle-up' : 'triangle-down'
   }));
-  return flags(frame, list);
+  const released = trend.runs.flatMap((run, n) => {
+    const words = history.runs.release[run];
+    return words ? [{at: x(n), cls: 'release', words}] : [];
+  });
+  return [...flags(frame, frame.bottom - 6, released), ...flags(frame, frame.top - 10, found)];
 }
-
-/** @param {Request} request @param {(n: number) => number} x */
-const releaseFlags = ({history, trend}, frame, x) =>
-  trend.runs.flatMap((run, n) =>
-    history.runs.release[run]
-      ? [
-          svg('path', {class: 'release', d: `M${x(n)},${frame.top}V${frame.bottom}`}),
-          text({class: 'flag', x: x(n) + 4, y: frame.bottom - 6}, history.runs.release[run])
-        ]
-      : []
-  );
 
 /** Dates below the axis; of several runs of one day the first. @param {Request} request */
 function dates({history, trend}, frame, x) {
@@ -155,9 +151,8 @@ export function trendChart(request, label) {
   drawn.append(
     ...yAxis({...frame, top: 26}, y, `${unit || 'value'}${isLog ? ', logarithmic' : ''}`),
     ...xAxis(frame, dates(request, frame, x), 'runs in order'),
-    ...releaseFlags(request, frame, x),
     ...lines(request, frame, x, y).flat(2),
-    ...changeFlags(request, frame, x),
+    ...allFlags(request, frame, x),
     cursor
   );
   const nearest = (/** @type {number} */ across) =>

@@ -1,14 +1,15 @@
 // Pictures of the dashboard, to be looked at: both themes at three widths, with the tests' small history, or with
 // one made up around the names, units and values of a report.
-//   DASHBOARD_BUNDLE=dashboard.html node tests/dashboard_look.mjs FOLDER [RESULTS.json]
+//   npm run look-dashboard -- FOLDER [RESULTS.json]
 import {mkdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {launch} from './browser.mjs';
+import {bundleForNow, launch} from './browser.mjs';
 import {dashboardAddress, makeHistory, packed, smallHistory} from './history_fixture.mjs';
 
 const [folder, results] = process.argv.slice(2);
-if (!folder) throw new Error('usage: node tests/dashboard_look.mjs FOLDER [RESULTS.json]');
+if (!folder) throw new Error('usage: npm run look-dashboard -- FOLDER [RESULTS.json]');
 const kRuns = 150;
+bundleForNow();
 
 /** Findings and timings as figures, with eight changes. */
 function aroundReport({findings, timings}) {
