@@ -11,7 +11,13 @@ const PAGES = [
   {
     file: output,
     entry: 'page.js',
-    styles: ['style.css', 'charts.css', 'tables.css', 'pictures.css', 'media.css'], // later ones change earlier ones
+    styles: [
+      'styles/style.css',
+      'styles/charts.css',
+      'styles/tables.css',
+      'styles/pictures.css',
+      'styles/media.css'
+    ], // later ones change earlier ones
     placeholder: '@HALFWAY_RESULTS@',
     text: {
       TITLE: 'Halfway: deformable joints, accuracy and cost',
@@ -25,7 +31,13 @@ const PAGES = [
   {
     file: join(dirname(output), 'dashboard.html'),
     entry: 'dashboard/dashboard.js',
-    styles: ['style.css', 'charts.css', 'tables.css', 'dashboard/dashboard.css', 'media.css'],
+    styles: [
+      'styles/style.css',
+      'styles/charts.css',
+      'styles/tables.css',
+      'dashboard/dashboard.css',
+      'styles/media.css'
+    ],
     placeholder: '<!-- halfway data -->',
     text: {
       TITLE: 'Halfway: what got worse, since when',

@@ -1,7 +1,7 @@
 // The report page: its questions in reading order, all answered from the results inlined in the page.
 import {Results} from './data.js';
 import {h, section} from './dom.js';
-import {firstKind} from './headline_data.js';
+import {firstKind} from './data/headline_data.js';
 import {EVERYTHING, Part, Parts} from './parts.js';
 import {headline} from './sections/headline.js';
 import {signNote} from './sections/notes.js';

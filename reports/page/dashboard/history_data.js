@@ -1,5 +1,5 @@
 // The history with the look-ups that several sections need. No document here.
-import {KINDS} from '../accuracy_data.js';
+import {KINDS} from '../data/accuracy_data.js';
 import {hashOf} from '../palette.js';
 
 /** @typedef {import('./history').Index} Index */

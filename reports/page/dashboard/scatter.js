@@ -1,5 +1,5 @@
 // Accuracy against speed of each formulation, at any run.
-import {kindLabel, KINDS} from '../accuracy_data.js';
+import {kindLabel, KINDS} from '../data/accuracy_data.js';
 import {choice, h, PATHS, plainTable, svg} from '../dom.js';
 import {plural, short} from '../format.js';
 import {look} from '../palette.js';

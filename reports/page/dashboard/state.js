@@ -1,5 +1,5 @@
 // How each formulation stands now.
-import {kindLabel} from '../accuracy_data.js';
+import {kindLabel} from '../data/accuracy_data.js';
 import {VERDICTS} from '../data.js';
 import {h, plainTable} from '../dom.js';
 import {nanoseconds, short} from '../format.js';

@@ -2,7 +2,7 @@
 import {VERDICTS} from '../data.js';
 import {button, h, scrolling} from '../dom.js';
 import {short} from '../format.js';
-import {tallyOf} from '../tally_data.js';
+import {tallyOf} from '../data/tally_data.js';
 import {story} from './matrix.js';
 
 const kFirst = 60; // rows: the search finds the others
