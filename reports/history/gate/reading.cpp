@@ -67,13 +67,16 @@ std::vector<std::string> words(const std::filesystem::path& program, const Bench
 Reading read_benchmarks(const std::string& text, const std::string& what) {
   Reading out;
   try {
-    for (const json& row : json::parse(without_words(text)).at("benchmarks")) {
+    const json root = json::parse(without_words(text));
+    for (const json& row : root.at("benchmarks")) {
       if (row.value("run_type", "iteration") == "iteration")
         include(out[row.value("run_name", row.at("name").get<std::string>())], row);
     }
   } catch (const std::exception& error) {
     throw reports::FailedRun(fmt::format("{}: no JSON of Google Benchmark: {}", what, error.what()));
   }
+  if (out.empty())
+    throw reports::FailedRun(fmt::format("{}: measured nothing: no figure matches the filter", what));
   for (auto& [name, figure] : out)
     if (!figure.wrong.empty()) figure.ns = std::numeric_limits<double>::quiet_NaN();
   return out;
