@@ -29,7 +29,7 @@ Exact exact_of(const json& finding) {
   out.verdict = statistics::verdict_of(finding.at("verdict").get<std::string>());
   if (comparison == "at_most") out.error = out.value;
   if (comparison == "equal") out.error = out.value - number_at(finding, "expected");
-  if (!std::isnan(out.error)) out.limit = number_at(finding, "high");
+  if (comparison == "at_most" || comparison == "equal") out.limit = number_at(finding, "high");
   // The larger the better: a lower limit is the wider one.
   if (comparison == "at_least") out.limit = -number_at(finding, "low");
   if (comparison == "within") out.limit = number_at(finding, "high") - number_at(finding, "low");

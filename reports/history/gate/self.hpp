@@ -7,7 +7,7 @@ namespace halfway::gate {
 
 struct SelfPlan {
   std::vector<std::filesystem::path> programs{};  ///< layouts of one source; at least four
-  int runs = 200;                               ///< comparisons without a slow-down
+  int runs = 200;                                 ///< comparisons without a slow-down
   std::vector<double> slower{0.03, 0.05, 0.10, 0.20};
   int slowed_runs = 50;  ///< of each slow-down
   BenchOptions bench{};
