@@ -6,6 +6,7 @@
 #include "reports/history/gate/judge.hpp"
 #include "reports/history/gate/process.hpp"
 #include "reports/history/gate/self.hpp"
+#include "reports/history/gate/side_report.hpp"
 #include "reports/history/gate/sides.hpp"
 #include "reports/history/gate/told.hpp"
 #include "reports/views/files.hpp"
@@ -28,7 +29,7 @@ struct GateOptions {
   BenchOptions bench{.filter = filter_of(fast_figures())};
   TimeRules rules{};
   std::string spread = HALFWAY_SPREAD;
-  bool again = false;
+  bool again = false, report = false;
   int self = 0;
   std::vector<double> slower = SelfPlan{}.slower;
   TellOptions tell;
@@ -79,6 +80,12 @@ void run_self(const GateOptions& o) {
   reports::print(fmt::format("wrote {}\n", (folder / "self.json").string()));
 }
 
+void add(Outcome& outcome, const Outcome& more) {
+  outcome.lines.insert(outcome.lines.end(), more.lines.begin(), more.lines.end());
+  outcome.notes.insert(outcome.notes.end(), more.notes.begin(), more.notes.end());
+  outcome.compared += more.compared;
+}
+
 void run_gate(const GateOptions& o) {
   if (o.base.empty()) throw reports::BadInput("BASE is missing: a commit, a program or a folder of a build");
   TimeRules rules = o.rules;
@@ -93,6 +100,16 @@ void run_gate(const GateOptions& o) {
   Outcome outcome = judge(measured, base, head, rules, [&](const Side& side, const std::string& figure) {
     return instructions(side, figure, folder);
   });
+  if (o.report) {
+    // A commit's report stays with its builds, that of a program with this comparison.
+    const auto place = [&](const Side& side, const char* name) {
+      return side.commit.empty() ? folder / name : o.places.out / side.commit.substr(0, 12);
+    };
+    add(outcome, compare(side_report(base, place(base, "base")), side_report(head, place(head, "head"))));
+  } else {
+    outcome.notes.push_back(
+        "accuracy of what was timed alone; --report compares every finding (minutes a side)");
+  }
   if (rules.allowed.empty())
     outcome.notes.push_back("no table of what layouts alone do to each figure: 3 % is allowed to all");
   tell(outcome, o.tell);
@@ -131,6 +148,7 @@ void add_gate(CLI::App& app) {
       ->add_option("--layouts", o->places.layouts, "Programs of each commit, their functions in other orders")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
+  command->add_flag("--report", o->report, "Compare the reports of both as well: every finding, every count");
   command->add_flag("--again", o->again, "Measure afresh what was measured before");
   command
       ->add_option("--self", o->self,

@@ -64,6 +64,20 @@ gate base late || fail "exit code $? after an interruption"
 [ "$(starts late)" -le 10 ] || fail "$(starts late) starts: measured twice"
 grep -q 'measurements are there from before' err || fail "it did not go on"
 
+# Reports: kept by halfway-suite, which here copies one; the later has a finding less.
+report() {
+  printf '#!/bin/sh\nmkdir -p "$3" && cat >"$3/results.json" <<TEXT\n%s\nTEXT\nexit 1\n' \
+    "{\"schema\":\"halfway-results\",\"version\":1,\"context\":{\"commit\":\"c\",\"machine\":\"m\",\"compiler\":\"g\",\"flags\":\"\",\"build_type\":\"r\"},\"findings\":[$2],\"timings\":[]}" >"$1/halfway-suite"
+  chmod +x "$1/halfway-suite"
+}
+finding() { echo "{\"name\":\"$1\",\"comparison\":\"report\",\"value\":1,\"verdict\":\"pass\"}"; }
+gate base same --report; [ $? -eq 1 ] || fail "there is no report, and that passed"
+one_line 'no halfway-suite beside'
+report base "$(finding one),$(finding two)"
+report same "$(finding one)"
+gate base same --report; [ $? -eq 1 ] || fail "a finding that is gone passed"
+grep -q '^REGRESSION two: gone' said || fail "not named"
+
 gate no-such-commit same; [ $? -eq 2 ] || fail "an unknown commit is no wrong input"
 one_line "'no-such-commit' is no commit"
 gate; [ $? -eq 2 ] || fail "nothing was compared with nothing"
