@@ -7,6 +7,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <set>
+#include <sstream>
 
 using namespace halfway;
 using namespace halfway::gate;
@@ -80,6 +82,11 @@ BOOST_AUTO_TEST_CASE(small_is_none) {
   BOOST_TEST(trial.run().lines.empty());
   trial.rules.allowed["b"] = 0.01;  // never less than 3 %
   BOOST_TEST(trial.run().lines.size() == 1u);
+}
+
+// The median is 6 % higher, and three of nine are far below: no ranks say that.
+BOOST_AUTO_TEST_CASE(unsure_is_none) {
+  BOOST_TEST(Trial("time[\"b\"] *= seed % 3 == 0 ? 0.5 : 1.06").run().lines.empty());
 }
 
 // The first nine processes were disturbed, the fresh ones were not.
@@ -186,14 +193,43 @@ BOOST_AUTO_TEST_CASE(journal_cut_short_or_of_another_comparison) {
 BOOST_AUTO_TEST_CASE(layouts_take_turns) {
   const Scratch scratch;
   Side a{"a", "", {}}, b{"b", "", {}};
+  const std::string log = "echo $0 >>" + (scratch.folder() / "log").string();
   for (const char* name : {"1", "2", "3"}) {
-    a.programs.push_back(fake_program(scratch.folder() / "a", name));
-    b.programs.push_back(fake_program(scratch.folder() / "b", name));
+    a.programs.push_back(fake_program(scratch.folder() / "a", name, "", log));
+    b.programs.push_back(fake_program(scratch.folder() / "b", name, "", log));
   }
   Journal journal(scratch.folder() / "journal", {});
   measure_round(journal, a, b, {.filter = "."}, 0, 0, 9, scratch.folder(), silent);
   for (const Side* side : {&a, &b})
     for (const auto& program : side->programs) BOOST_TEST(starts(program) == 3);
+  std::istringstream started(reports::read_file(scratch.folder() / "log"));
+  std::set<std::set<std::string>> pairs;
+  for (std::string one, other; started >> one >> other;) pairs.insert({one, other});
+  BOOST_TEST(pairs.size() == 9u);
+  std::istringstream lines(reports::read_file(scratch.folder() / "journal"));
+  std::string line, order;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) order += nlohmann::json::parse(line).at("head") ? 'B' : 'A';
+  BOOST_TEST(order == "ABBAABBAABBAABBAAB");
+}
+
+// Rows as Google Benchmark writes them: the least repetition counts, aggregates do not, units do.
+BOOST_AUTO_TEST_CASE(rows) {
+  const Reading r = read_benchmarks(R"({"benchmarks": [
+    {"name": "a", "run_name": "a", "run_type": "iteration", "cpu_time": 3, "time_unit": "us"},
+    {"name": "a", "run_name": "a", "run_type": "iteration", "cpu_time": 2, "time_unit": "us"},
+    {"name": "a_mean", "run_name": "a", "run_type": "aggregate", "cpu_time": 1, "time_unit": "us"},
+    {"name": "b", "cpu_time": 512, "time_unit": "ns", "per_evaluation": 2e-9, "max_error": 1e-15},
+    {"name": "c", "cpu_time": 1, "error_occurred": true, "error_message": "is wrong"},
+    {"name": "d", "cpu_time": 5}, {"name": "d", "cpu_time": nan}]})",
+                                    "text");
+  BOOST_TEST(r.size() == 4u);
+  BOOST_TEST(r.at("a").ns == 2000);
+  BOOST_TEST(r.at("b").ns == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(r.at("b").error == 1e-15);
+  BOOST_TEST(r.at("c").wrong == "is wrong");
+  BOOST_TEST(std::isnan(r.at("d").ns));  // one repetition that is no number spoils the others
+  BOOST_TEST(filter_of({"a/b.c", "d"}) == "^(a/b\\.c|d)$");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
