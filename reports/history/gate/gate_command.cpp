@@ -72,6 +72,9 @@ void run_self(const GateOptions& o) {
   places.layouts = 12;
   plan.programs = find_side(o.base, places).programs;
   plan.slowed_runs = (o.self + 3) / 4;
+  plan.command =
+      fmt::format("./halfway gate{} --self {} --min-time {} --slower {}", o.base.empty() ? "" : " BASE",
+                  o.self, o.bench.min_time, fmt::join(o.slower, ","));
   fs::create_directories(folder);
   const reports::FolderLock lock(folder);
   Journal journal = open_journal(o, folder, about(o, plan.programs, {}));

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <thread>
 
 namespace halfway::gate {
 namespace {
@@ -34,6 +36,17 @@ void count(Tally& tally, const Measured& m, const std::string& figure, const Tim
   const auto again = m.again.find(figure);
   tally.alarms +=
       again != m.again.end() && is_slower(compared(again->second.base, again->second.head), rules, allowed);
+}
+
+/// The processor and the number of cores.
+std::string machine() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string name = "unknown processor";
+  for (std::string line; std::getline(file, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) name = line.substr(colon + 2);
+  }
+  return fmt::format("{}, {} cores", name, std::thread::hardware_concurrency());
 }
 
 ordered_json json_of(const Tally& t) {
@@ -114,6 +127,7 @@ class Self {
       if (i % 2 == 0) include(even, plain_[i]);
     }
     ordered_json out{{"schema", "halfway-gate-self"}, {"version", 1}};
+    out["command"] = plan_.command, out["machine"] = machine();
     out["pairs"] = plan_.rules.pairs, out["chance"] = plan_.rules.chance, out["least"] = plan_.rules.least;
     out["layouts"] = plan_.programs.size(), out["layouts_a_side"] = sides_of(plan_, 0).base.programs.size();
     out["runs"] = plan_.runs, out["slowed_runs"] = plan_.slowed_runs;

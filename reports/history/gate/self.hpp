@@ -12,6 +12,7 @@ struct SelfPlan {
   int slowed_runs = 50;  ///< of each slow-down
   BenchOptions bench{};
   TimeRules rules{};
+  std::string command{};  ///< that makes it again, kept with the result
 };
 
 /// The comparison a run makes: up to three layouts a side, drawn from the first half of them (even runs) or
