@@ -15,6 +15,7 @@ struct Turn {
   int round = 0;  ///< 0; 1: figures that gave an alarm, once more
   int pair = 0;
   bool head = false;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the comparison's 0 for a pointer
   friend auto operator<=>(const Turn&, const Turn&) = default;
 };
 

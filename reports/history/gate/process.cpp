@@ -41,7 +41,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
     const std::string text(*entry);
     if (!more.contains(text.substr(0, text.find('=')))) out.push_back(text);
   }
-  for (const auto& [name, value] : more) out.push_back(name + '=' + value);
+  for (const auto& [name, value] : more) out.push_back(fmt::format("{}={}", name, value));
   return out;
 }
 
