@@ -1,0 +1,51 @@
+// halfway-history: what is kept, compared and drawn over time.
+#include "reports/cli/streams.hpp"
+#include "reports/history/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace {
+
+using namespace halfway;
+
+int complain(int code, std::string message) {
+  std::ranges::replace(message, '\n', ' ');  // one message, one line
+  reports::tell(fmt::format("halfway: {}\n", reports::printable(message)));
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"What the figures came to, over time.", "halfway"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "halfway " HALFWAY_VERSION);
+  app.footer(
+      "Exit codes: 0 done; 1 the run failed, or something could not be written; 2 the input is wrong.");
+  history::add_commands(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& e) {  // --help, --version
+    std::ostringstream text;
+    app.exit(e, text, text);
+    reports::print(text.str());
+    return 0;
+  } catch (const CLI::ParseError& e) {
+    return complain(2, std::string(e.what()) + "; see --help");
+  } catch (const reports::BadInput& e) {
+    return complain(2, e.what());
+  } catch (const std::exception& e) {
+    return complain(1, e.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  reports::reserve_streams();
+  const int code = run(argc, argv);
+  if (!reports::lost_output() || code != 0) return code;
+  return complain(1, "standard output or error could not be written: something is missing there");
+}
