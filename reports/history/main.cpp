@@ -17,6 +17,18 @@ int complain(int code, std::string message) {
   return code;
 }
 
+/// CLI11 says "A subcommand is required" of an unknown one.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || *argv[1] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return check_command(*command, argc - 1, argv + 1);
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  if (!names.empty())
+    throw reports::BadInput(fmt::format("unknown command '{}'; allowed: {}", argv[1], names));
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"What the figures came to, over time.", "halfway"};
   app.require_subcommand(1);
@@ -25,6 +37,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done; 1 the run failed, or something could not be written; 2 the input is wrong.");
   history::add_commands(app);
   try {
+    check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& e) {  // --help, --version

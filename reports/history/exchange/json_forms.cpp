@@ -19,7 +19,7 @@ std::string text_of(const ordered_json& content, const char* what) {
 }
 
 ordered_json google_row(const std::string& name, std::int64_t ps, std::size_t index, std::size_t count) {
-  const double ns = 1e-3 * double(ps);
+  const double ns = double(ps) / 1e3;
   return {{"name", name},         {"run_name", name},          {"run_type", "iteration"},
           {"repetitions", count}, {"repetition_index", index}, {"threads", 1},
           {"iterations", 1},      {"real_time", ns},           {"cpu_time", ns},

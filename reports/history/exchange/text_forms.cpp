@@ -84,7 +84,8 @@ std::string open_metrics(const Selection& s) {
               "Processor time per joint or solve, median of the repetitions"};
   Family value{"halfway_value", "", "What a finding came to"};
   Family digits{"halfway_error_digits", "digits", "Decimal digits of an error"};
-  for (const Record::Timed& timed : s.timed) time.add(timed.figure.name, "", 1e-9 * timed.time.ns());
+  for (const Record::Timed& timed : s.timed)
+    time.add(timed.figure.name, "", double(timed.time.median) / 1e12);
   for (const Record::Exact& exact : s.exact) {
     value.add(exact.figure.name, fmt::format(",unit=\"{}\"", label(exact.figure.unit)), exact.reading.value);
     digits.add(exact.figure.name, "", digits_of(error_of(exact.reading)));

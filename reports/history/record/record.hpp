@@ -84,9 +84,9 @@ struct Time {
   std::int64_t median = 0;  ///< ps per joint or solve
   int low = 0, high = 0;    ///< least and largest repetition, permille of the median; 0: not known
   int n = 0;                ///< repetitions; 0: not known
-  double ns() const { return 1e-3 * double(median); }
-  double low_ns() const { return low > 0 ? 1e-6 * double(median) * low : kNone; }
-  double high_ns() const { return high > 0 ? 1e-6 * double(median) * high : kNone; }
+  double ns() const { return double(median) / 1e3; }
+  double low_ns() const { return low > 0 ? double(median * low) / 1e6 : kNone; }
+  double high_ns() const { return high > 0 ? double(median * high) / 1e6 : kNone; }
   bool operator==(const Time&) const = default;
 };
 using Repetitions = std::vector<std::int64_t>;  ///< ps
