@@ -107,10 +107,11 @@ class Collector : public benchmark::BenchmarkReporter {
 
 /// Google Benchmark has no other face for these than its command line.
 void set_flags(const Options& options) {
-  std::vector<std::string> arguments{"halfway_bench",
-                                     fmt::format("--benchmark_repetitions={}", options.repetitions),
-                                     fmt::format("--benchmark_min_time={}", options.min_time),
-                                     "--benchmark_enable_random_interleaving=true"};
+  // Google Benchmark keeps the name of the program and writes it into its JSON at the end.
+  static std::vector<std::string> arguments;
+  arguments = {"halfway_bench", fmt::format("--benchmark_repetitions={}", options.repetitions),
+               fmt::format("--benchmark_min_time={}", options.min_time),
+               "--benchmark_enable_random_interleaving=true"};
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

@@ -1,0 +1,65 @@
+#include "reports/history/dashboard/dashboard.hpp"
+#include "reports/history/statistics/changes.hpp"
+
+#include <algorithm>
+
+namespace halfway::history {
+
+namespace {
+
+using statistics::Exact;
+
+Exact exact_of(const Figure& figure, const Reading& r) {
+  Exact out{
+      .value = r.value, .error = error_of(r), .limit = limit_of(r), .is_count = figure.kind == Kind::count};
+  if (r.comparison == Comparison::at_least) out.limit = -r.low;
+  if (r.comparison == Comparison::within) out.limit = r.high - r.low;
+  // The error of what is timed: reported, and its digits count.
+  if (r.comparison == Comparison::report && figure.better == Better::down) out.error = r.value;
+  if (r.verdict == Verdict::gone) return {};
+  if (r.verdict != Verdict::none) out.verdict = statistics::verdict_of(to_string(r.verdict));
+  return out;
+}
+
+/// Of the runs in which a figure was there, those of one series.
+template <class Item>
+std::vector<Item> of_series(const History& history, const std::vector<Item>& all, int series) {
+  std::vector<Item> out;
+  for (const Item& item : all)
+    if (history.runs[item.run].series == series) out.push_back(item);
+  return out;
+}
+
+void add(std::vector<Change>& out, const std::vector<statistics::Change>& found, int figure, int series,
+         const auto& runs) {
+  for (const statistics::Change& c : found) {
+    if (c.sense == statistics::Sense::change) continue;
+    const bool is_regression = c.sense == statistics::Sense::regression;
+    out.push_back({figure, series, runs[c.run].run, c.before, c.after, is_regression, c.ratio, c.digits,
+                   c.chance, c.text});
+  }
+}
+
+}  // namespace
+
+std::vector<Change> find_changes(const History& history) {
+  std::vector<Change> out;
+  for (int f = 0; f < int(history.figures.size()); ++f) {
+    for (int s = 0; s < int(history.series.size()); ++s) {
+      const auto times = of_series(history, history.times[f], s);
+      std::vector<double> medians;
+      for (const TimeAt& t : times) medians.push_back(t.time.ns());
+      if (medians.size() > 1)
+        add(out, statistics::find_changes(std::span<const double>(medians)), f, s, times);
+      const auto changes = of_series(history, history.changes[f], s);
+      std::vector<Exact> readings;
+      for (const ReadingAt& c : changes) readings.push_back(exact_of(history.figures[f], c.reading));
+      if (readings.size() > 1)
+        add(out, statistics::find_changes(std::span<const Exact>(readings)), f, s, changes);
+    }
+  }
+  std::ranges::stable_sort(out, {}, &Change::run);
+  return out;
+}
+
+}  // namespace halfway::history
