@@ -1,5 +1,7 @@
 #include "bench/harness/case.hpp"
 
+#include "bench/harness/slower.hpp"
+
 #include <cmath>
 #include <map>
 #include <utility>
@@ -42,7 +44,10 @@ void time_by(Case& c, std::function<void(int)> evaluate) {
 void register_all() {
   static bool registered = false;
   if (std::exchange(registered, true)) return;
-  for (const Case& c : all_cases()) {
+  const std::optional<double> share = seeded_share();
+  Cases cases = all_cases();
+  for (Case& c : cases) {
+    if (share) make_slower(c, *share);
     auto* const b =
         benchmark::RegisterBenchmark(c.name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
     if (c.wall_time) b->UseRealTime();

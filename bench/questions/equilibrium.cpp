@@ -102,6 +102,12 @@ Case solver_case(const std::shared_ptr<const Problem>& p, const char* what, Solv
       benchmark::DoNotOptimize(b);
     }
   };
+  c.evaluate = [p, solve, joint = joint_of<F>(*p)](int iterations) {
+    for (int i = 0; i < iterations; ++i) {
+      auto b = solve(*p, joint);
+      benchmark::DoNotOptimize(b);
+    }
+  };
   return c;
 }
 

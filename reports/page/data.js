@@ -1,5 +1,5 @@
 // The results with the look-ups that several sections need.
-import {isAnalytic, isPlain, withDefaults} from './speed_data.js';
+import {isAnalytic, isPlain, withDefaults} from './data/speed_data.js';
 
 /** @typedef {import('./results').ResultsFile} ResultsFile */
 /** @typedef {import('./results').Finding} Finding */

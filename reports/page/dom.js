@@ -22,7 +22,7 @@ export function h(tag, attributes = {}, ...children) {
 
 const SVG = 'http://www.w3.org/2000/svg';
 /** @type {Record<string, string>} */
-const PATHS = {
+export const PATHS = {
   circle: 'M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0',
   square: 'M-4.4,-4.4h8.8v8.8h-8.8z',
   'triangle-up': 'M0,-5.4L5.4,4.2H-5.4z',
@@ -32,9 +32,13 @@ const PATHS = {
   cross: 'M-5.5,-1.9h3.6v-3.6h3.8v3.6h3.6v3.8h-3.6v3.6h-3.8v-3.6h-3.6z'
 };
 
-function svg(tag, attributes) {
+/** @param {string} tag @param {Record<string, any>} attributes @param {any[]} children
+ * @returns {SVGElement}
+ */
+export function svg(tag, attributes, ...children) {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children.flat(Infinity));
   return element;
 }
 
@@ -64,10 +68,22 @@ export function swatch({color, dash, shape}) {
   return picture;
 }
 
+/** @param {string} label @param {() => void} pressed */
+export const button = (label, pressed) =>
+  h('button', {type: 'button', class: 'plain', onclick: pressed}, label);
+
+/** A button that gives a file to keep. @param {string} type @param {() => string} content */
+export const download = (/** @type {string} */ label, /** @type {string} */ name, type, content) =>
+  button(label, () => {
+    const href = URL.createObjectURL(new Blob([content()], {type}));
+    h('a', {href, download: name}).click();
+    setTimeout(() => URL.revokeObjectURL(href));
+  });
+
 /** A row of toggle buttons that wraps; `items`: {key, label, swatch, on}. Items off at the start fold away. */
 export function toggles(label, items, changed) {
   const buttons = items.map((item) => {
-    const button = h(
+    const own = h(
       'button',
       {
         type: 'button',
@@ -76,14 +92,14 @@ export function toggles(label, items, changed) {
         title: item.title,
         onclick: () => {
           item.on = !item.on;
-          button.setAttribute('aria-pressed', String(item.on));
+          own.setAttribute('aria-pressed', String(item.on));
           changed(items.filter((i) => i.on).map((i) => i.key));
         }
       },
       item.swatch ?? '',
       item.label
     );
-    return button;
+    return own;
   });
   const few = items.length <= 6;
   const first = buttons.filter((_, i) => few || items[i].on);
@@ -165,14 +181,23 @@ export function isolate(label, items, changed) {
   return folds ? h('details', {class: 'more'}, h('summary', {}, `${label} (${items.length})`), box) : box;
 }
 
-/** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row. */
-export function plainTable(label, columns, rows, caption) {
+/** columns: [{text, number}]; rows: lists of cells (text or nodes), or {cells, class}; the first cell heads its row.
+ * cards: on narrow screens each row is a card, whose cells say what they are. */
+export function plainTable(label, columns, rows, caption, cards = false) {
   const cell = (content, i) =>
-    h(i ? 'td' : 'th', {scope: i ? null : 'row', class: columns[i].number ? 'number' : null}, content);
+    h(
+      i ? 'td' : 'th',
+      {
+        scope: i ? null : 'row',
+        class: columns[i].number ? 'number' : null,
+        'data-label': cards && i ? columns[i].text : null
+      },
+      content
+    );
   return scrolling(
     h(
       'table',
-      {class: 'compact narrow'},
+      {class: cards ? 'compact narrow cards' : 'compact narrow'},
       caption ? h('caption', {}, caption) : null,
       h(
         'thead',
@@ -192,6 +217,15 @@ export function plainTable(label, columns, rows, caption) {
     label
   );
 }
+
+/** A section that its heading names. @param {string} id @param {string} title @param {any} content */
+export const section = (id, title, content, cls = id) =>
+  h(
+    'section',
+    {class: cls, id, 'aria-labelledby': `${id}-title`},
+    h('h2', {id: `${id}-title`}, title),
+    content
+  );
 
 /** What is there for those who ask. */
 export const folded = (title, content) => h('details', {class: 'more'}, h('summary', {}, title), content);

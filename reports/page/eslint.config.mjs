@@ -6,7 +6,7 @@ export default [
   {ignores: ['node_modules/**', 'results.d.ts']},
   js.configs.recommended,
   {
-    files: ['*.js', 'charts/**/*.js', 'sections/**/*.js'],
+    files: ['*.js', 'charts/**/*.js', 'dashboard/**/*.js', 'sections/**/*.js'],
     languageOptions: {globals: globals.browser}
   },
   {
@@ -14,7 +14,7 @@ export default [
     languageOptions: {globals: globals.node}
   },
   {
-    files: ['tests/page.test.mjs'], // what it hands to the page runs there
+    files: ['tests/page.test.mjs', 'tests/dashboard*.mjs'], // what it hands to the page runs there
     languageOptions: {globals: globals.browser}
   },
   {

@@ -1,9 +1,7 @@
 // The report page: its questions in reading order, all answered from the results inlined in the page.
-import {reportError, seal} from './account.js';
 import {Results} from './data.js';
-import {h} from './dom.js';
-import {firstKind} from './headline_data.js';
-import {paletteStyle} from './palette.js';
+import {h, section} from './dom.js';
+import {firstKind} from './data/headline_data.js';
 import {EVERYTHING, Part, Parts} from './parts.js';
 import {headline} from './sections/headline.js';
 import {signNote} from './sections/notes.js';
@@ -12,6 +10,7 @@ import {speedNote, speedParts} from './sections/speed/speed.js';
 import {stabilityParts} from './sections/stability.js';
 import {truthParts} from './sections/truth.js';
 import {whichParts} from './sections/which.js';
+import {main, start} from './start.js';
 
 /** @typedef {{id: string, title: string, note?: Node, parts: Part[]}} Question */
 
@@ -34,17 +33,19 @@ function questionsOf(results, raw, kind) {
 }
 
 /** @param {Question} question */
-const section = ({id, title, note, parts}) =>
-  h(
-    'section',
-    {class: `question ${id}`, id, 'aria-labelledby': `${id}-title`},
-    h('h2', {id: `${id}-title`}, title),
-    note ?? '',
-    h(
-      'div',
-      {class: 'parts'},
-      parts.map((p) => p.section)
-    )
+const questionSection = ({id, title, note, parts}) =>
+  section(
+    id,
+    title,
+    [
+      note ?? '',
+      h(
+        'div',
+        {class: 'parts'},
+        parts.map((p) => p.section)
+      )
+    ],
+    `question ${id}`
   );
 
 /** The table of contents, by question.
@@ -77,28 +78,8 @@ function build(raw) {
   const {commit, date} = results.context;
   document.getElementById('nav')?.append(...questions.map(({id, title}) => h('a', {href: `#${id}`}, title)));
   document.getElementById('subtitle')?.append(` · ${commit} · ${date}`);
-  main().append(headline(results, kind), contents(questions), ...questions.map(section));
+  main().append(headline(results, kind), contents(questions), ...questions.map(questionSection));
   new Parts(questions.flatMap((q) => q.parts)).watch();
-  seal();
 }
 
-const main = () => document.getElementById('main') ?? document.body;
-
-const logged = console.error;
-console.error = (...parts) => {
-  reportError(parts.join(' '));
-  logged(...parts);
-};
-window.addEventListener('error', (event) => reportError(event.error ?? event.message));
-window.addEventListener('unhandledrejection', (event) => reportError(event.reason));
-
-const theme = new URLSearchParams(location.search).get('theme');
-if (theme === 'dark' || theme === 'light') document.documentElement.dataset.theme = theme;
-document.head.append(h('style', {}, paletteStyle()));
-
-try {
-  build(document.getElementById('results')?.textContent ?? '');
-} catch (error) {
-  main().append(h('p', {class: 'empty'}, `The results cannot be shown: ${error}`));
-  reportError(error);
-}
+start('The results', () => build(document.getElementById('results')?.textContent ?? ''));

@@ -77,7 +77,7 @@ const looks = new Map(
 /** The same number for the same name in every report.
  * @param {string} name
  */
-const hashOf = (name) => [...name].reduce((sum, c) => (Math.imul(sum, 31) + c.charCodeAt(0)) >>> 0, 7);
+export const hashOf = (name) => [...name].reduce((sum, c) => (Math.imul(sum, 31) + c.charCodeAt(0)) >>> 0, 7);
 
 /** A formulation that is not listed: hue, dash and shape by its name, dark enough on light paper and vice versa.
  * @param {string} name

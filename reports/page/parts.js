@@ -1,7 +1,7 @@
 // The page's parts: each is drawn when it comes into view, is linked to or asked for, or is about to be printed.
 import {account, promise, reportError, settle} from './account.js';
 import {drawAttached} from './chart.js';
-import {h} from './dom.js';
+import {button, h} from './dom.js';
 
 /** The hash that draws everything: for printing, for searching the whole page, and for look.sh. */
 export const EVERYTHING = '#all';
@@ -46,18 +46,10 @@ export class Part {
 
   /** What a keyboard finds in the place of a part that is not drawn yet. */
   button() {
-    return h(
-      'button',
-      {
-        type: 'button',
-        class: 'plain',
-        onclick: () => {
-          this.draw();
-          this.title.focus();
-        }
-      },
-      `Show: ${this.spec.title}`
-    );
+    return button(`Show: ${this.spec.title}`, () => {
+      this.draw();
+      this.title.focus();
+    });
   }
 
   draw() {

@@ -1,6 +1,6 @@
 // Every command: `halfway-suite`.
-#include "reference/face/registry.hpp"
 #include "reports/cli/commands.hpp"
+#include "reference/face/registry.hpp"
 
 namespace halfway::reports {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace halfway::bench {
 namespace {
@@ -212,6 +213,10 @@ Case batch_case(const BatchProblem& p) {
   c.timed = [p](benchmark::State& state) {
     const BatchData<T> data(p);
     for (auto _ : state) data.evaluate();
+  };
+  c.evaluate = [p, data = std::make_shared<std::optional<BatchData<T>>>()](int iterations) {
+    if (!*data) data->emplace(p);
+    for (int i = 0; i < iterations; ++i) (*data)->evaluate();
   };
   return c;
 }

@@ -1,11 +1,11 @@
 // The main chart: error against time, one point per formulation and kind, with the Pareto front of each kind.
 import {AT_DECADES, Chart, isNarrow} from '../chart.js';
-import {KINDS, accuracyOf, front} from '../accuracy_data.js';
+import {KINDS, accuracyOf, front} from '../data/accuracy_data.js';
 import {choice, h, swatch, toggles} from '../dom.js';
 import {full, nanoseconds, short} from '../format.js';
 import {KIND_SHAPES, look} from '../palette.js';
-import {bodyLabel, GROUPS} from '../solids_data.js';
-import {whatLabel} from '../speed_data.js';
+import {bodyLabel, GROUPS} from '../data/solids_data.js';
+import {whatLabel} from '../data/speed_data.js';
 import {withLabels} from './labels.js';
 
 const WHAT = ['residual', 'residual_tangent'].map((key) => ({key, label: whatLabel(key)}));

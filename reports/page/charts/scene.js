@@ -1,7 +1,7 @@
 // A scene: one output against its load, one line per formulation, with other programs' and our 3D marks.
 import {Chart, isNarrow} from '../chart.js';
 import {choice, folded, h, swatch, toggles} from '../dom.js';
-import {axisTitle, outputAxis, powerOf, rowsOf, thinned} from '../figures_data.js';
+import {axisTitle, outputAxis, powerOf, rowsOf, thinned} from '../data/figures_data.js';
 import {seriesLook} from '../palette.js';
 import {Absent} from '../parts.js';
 import {SOLID_SOURCE, solidLayer, solidSeries} from './solids/solid_marks.js';

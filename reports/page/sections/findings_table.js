@@ -1,8 +1,8 @@
 // Every finding, searchable.
 import {VERDICTS} from '../data.js';
-import {h, scrolling} from '../dom.js';
+import {button, h, scrolling} from '../dom.js';
 import {short} from '../format.js';
-import {tallyOf} from '../tally_data.js';
+import {tallyOf} from '../data/tally_data.js';
 import {story} from './matrix.js';
 
 const kFirst = 60; // rows: the search finds the others
@@ -39,21 +39,12 @@ export function findingsTable(results) {
     count.replaceChildren(
       `${found.length} of ${results.findings.length} findings${shown.length < found.length ? `, the first ${shown.length} shown. ` : ''}`
     );
-    if (shown.length < found.length)
-      count.append(
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'plain',
-            onclick: () => {
-              state.all = true;
-              draw();
-            }
-          },
-          'Show all'
-        )
-      );
+    if (shown.length === found.length) return;
+    const all = button('Show all', () => {
+      state.all = true;
+      draw();
+    });
+    count.append(all);
   };
   const search = h('input', {
     type: 'search',

@@ -1,10 +1,10 @@
 // One line per formulation: what it is, how true, how fast, what it keeps.
-import {KINDS, modellingOf} from '../accuracy_data.js';
+import {KINDS, modellingOf} from '../data/accuracy_data.js';
 import {holds, VERDICTS} from '../data.js';
 import {h, scrolling, swatch} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
 import {look} from '../palette.js';
-import {implementationLabel} from '../speed_data.js';
+import {implementationLabel} from '../data/speed_data.js';
 import {signNote, TIMES_NOTE} from './notes.js';
 
 const SHORT = {angular: 'ang.', linear: 'lin.', linear_angular: 'l/a'};

@@ -1,10 +1,10 @@
 // The answer in words, made from the data, with the angle and the load up to which it holds.
-import {kindLabel} from '../accuracy_data.js';
+import {kindLabel} from '../data/accuracy_data.js';
 import {h, plainTable} from '../dom.js';
 import {nanoseconds, plural, short} from '../format.js';
-import {choiceOf, reachesOf} from '../headline_data.js';
-import {implementationLabel} from '../speed_data.js';
-import {notRun, tallyOf} from '../tally_data.js';
+import {choiceOf, reachesOf} from '../data/headline_data.js';
+import {implementationLabel} from '../data/speed_data.js';
+import {notRun, tallyOf} from '../data/tally_data.js';
 import {signNote} from './notes.js';
 
 const code = (name) => h('code', {}, name);

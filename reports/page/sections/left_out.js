@@ -1,8 +1,8 @@
 // What failed, what ended early, what was left out: each with its reason.
-import {accuracyOf} from '../accuracy_data.js';
+import {accuracyOf} from '../data/accuracy_data.js';
 import {h} from '../dom.js';
 import {plural} from '../format.js';
-import {notRun} from '../tally_data.js';
+import {notRun} from '../data/tally_data.js';
 import {story} from './matrix.js';
 
 /** The same reason often holds for many names: one entry per reason. */

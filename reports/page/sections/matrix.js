@@ -1,5 +1,5 @@
 // Formulation x property, with the value in the cell and its story on demand.
-import {KINDS} from '../accuracy_data.js';
+import {KINDS} from '../data/accuracy_data.js';
 import {ORACLES, VERDICTS} from '../data.js';
 import {choice, folded, h, scrolling} from '../dom.js';
 import {full, short} from '../format.js';

@@ -1,5 +1,5 @@
 // Where the numbers come from, and the command that makes them again.
-import {h} from '../dom.js';
+import {download, h} from '../dom.js';
 import {seconds} from '../format.js';
 
 /** @param {import('../data.js').Results} results */
@@ -14,14 +14,6 @@ export function provenance(results, raw) {
     ['date', c.date],
     ...Object.entries(results.durations).map(([stage, s]) => [`time: ${stage}`, seconds(s)])
   ];
-  const save = () => {
-    const link = h('a', {
-      href: URL.createObjectURL(new Blob([raw], {type: 'application/json'})),
-      download: 'results.json'
-    });
-    link.click();
-    URL.revokeObjectURL(link.href);
-  };
   return [
     h(
       'p',
@@ -29,7 +21,7 @@ export function provenance(results, raw) {
       'Reproduce with ',
       h('code', {class: 'command'}, results.command),
       ' in a checkout of the commit below. The numbers of this page are inside it: ',
-      h('button', {type: 'button', class: 'plain', onclick: save}, 'save results.json'),
+      download('save results.json', 'results.json', 'application/json', () => raw),
       '.'
     ),
     h(

@@ -2,7 +2,7 @@
 import {h, scrolling} from '../dom.js';
 import {short} from '../format.js';
 import {Absent} from '../parts.js';
-import {farthest, rangesOf} from '../ranges_data.js';
+import {farthest, rangesOf} from '../data/ranges_data.js';
 import {signNote} from './notes.js';
 
 const unitText = (unit) => unit.replace('N m', 'N·m');
@@ -27,7 +27,9 @@ function cells(range) {
 /** The best of each study, in words: beyond it no law is within 1 %. */
 function limitOf(ranges, study) {
   const own = ranges.filter((r) => r.study === study);
-  const {one, end, formulation} = /** @type {import('../ranges_data.js').Range} */ (farthest(own, 'one'));
+  const {one, end, formulation} = /** @type {import('../data/ranges_data.js').Range} */ (
+    farthest(own, 'one')
+  );
   const angle = (reach) => (reach.phi === undefined || reach.load === 0 ? '' : `, ${short(reach.phi, 2)}°`);
   const load = (reach) => `${short(reach.load, 3)} ${unitText(own[0].unit)}${angle(reach)}`;
   const ended = `the 3D curve ends at ${load(end)}`;

@@ -1,5 +1,5 @@
 // Where does it fail? The atlas first, then each failure's own chart.
-import {failuresOf} from '../atlas_data.js';
+import {failuresOf} from '../data/atlas_data.js';
 import {atlasFigure} from '../charts/stability/atlas.js';
 import {basinsFigure} from '../charts/stability/basins.js';
 import {bucklingFigure} from '../charts/stability/buckling.js';

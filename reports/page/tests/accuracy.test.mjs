@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {accuracyOf, errorOf, front} from '../accuracy_data.js';
+import {accuracyOf, errorOf, front} from '../data/accuracy_data.js';
 import {holds, Results} from '../data.js';
 import {finding, fixture, timing} from './fixture.mjs';
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {failuresOf} from '../atlas_data.js';
+import {failuresOf} from '../data/atlas_data.js';
 
 const limitsOf = (series) => {
   const [failure] = failuresOf({

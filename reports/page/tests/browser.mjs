@@ -1,13 +1,20 @@
 // Chromium, and the page to look at: a report's index.html, or the bundle with the tests' own results.
-import {accessSync, readFileSync, writeFileSync} from 'node:fs';
+import {execFileSync} from 'node:child_process';
+import {accessSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {fixture} from './fixture.mjs';
 
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 const QUIET = ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'];
 const ARGUMENTS = ['--no-sandbox', '--disable-component-update', '--disable-sync', ...QUIET];
+
+/** axe-core, to be evaluated in a page. */
+export const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+export const NO_BROWSER = 'no Chromium (Debian: apt-get install chromium; CHROMIUM names another)';
 
 /** @param {string} file */
 function isThere(file) {
@@ -41,4 +48,13 @@ export function pageAddress(results = fixture()) {
     readFileSync(bundle, 'utf8').replace('@HALFWAY_RESULTS@', () => json)
   );
   return pathToFileURL(file).href;
+}
+
+/** Bundles the pages for a command of its own, into a folder that goes with it. */
+export function bundleForNow() {
+  const folder = mkdtempSync(join(tmpdir(), 'halfway-'));
+  process.on('exit', () => rmSync(folder, {recursive: true}));
+  const build = fileURLToPath(new URL('../build.mjs', import.meta.url));
+  execFileSync(process.execPath, [build, join(folder, 'page.html')]);
+  process.env.DASHBOARD_BUNDLE = join(folder, 'dashboard.html');
 }

@@ -10,7 +10,7 @@ import {
   powerOf,
   rowsOf,
   thinned
-} from '../figures_data.js';
+} from '../data/figures_data.js';
 import {curve, fixture} from './fixture.mjs';
 
 test('a new scene has a figure, with or without a description', () => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {Results} from '../data.js';
-import {choiceOf, conditionOf, firstKind, reachesOf} from '../headline_data.js';
+import {choiceOf, conditionOf, firstKind, reachesOf} from '../data/headline_data.js';
 import {fixture} from './fixture.mjs';
 
 const near = (a, b, limit = 1e-9) => assert.ok(Math.abs(a - b) <= limit * Math.abs(b), `${a} is not ${b}`);

@@ -1,13 +1,10 @@
 // The page in Chromium: how much of it is there at load, that everything can be reached, and axe-core.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {after, before, test} from 'node:test';
-import {browserFile, launch, pageAddress} from './browser.mjs';
+import {axe, browserFile, launch, NO_BROWSER, pageAddress} from './browser.mjs';
 
 const kMostElements = 8000;
-const skip = browserFile() ? false : 'no Chromium (Debian: apt-get install chromium; CHROMIUM names another)';
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const skip = browserFile() ? false : NO_BROWSER;
 /** @type {import('playwright-core').Browser} */
 let browser;
 let address = '';

@@ -41,7 +41,7 @@ test('no colour is written down anywhere else', () => {
   const here = new URL('..', import.meta.url);
   const below = (folder) =>
     readdirSync(new URL(folder, here), {recursive: true}).map((name) => folder + name);
-  const modules = [...readdirSync(here), ...below('charts/'), ...below('sections/')];
+  const modules = [...readdirSync(here), ...below('charts/'), ...below('dashboard/'), ...below('sections/')];
   assert.ok(
     modules.some((m) => m.split('/').length === 3),
     'rooms of charts are read as well'

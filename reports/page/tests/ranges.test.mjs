@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {Results} from '../data.js';
-import {angleAt, degrees, farthest, rangesOf, studyOf} from '../ranges_data.js';
+import {angleAt, degrees, farthest, rangesOf, studyOf} from '../data/ranges_data.js';
 import {finding, fixture} from './fixture.mjs';
 
 const near = (a, b) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.abs(b), `${a} is not ${b}`);

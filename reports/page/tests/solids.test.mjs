@@ -1,7 +1,15 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {percent} from '../format.js';
-import {bodyLabel, familyLabel, lawLook, paperXi, printedDigits, solidsOf, withBar} from '../solids_data.js';
+import {
+  bodyLabel,
+  familyLabel,
+  lawLook,
+  paperXi,
+  printedDigits,
+  solidsOf,
+  withBar
+} from '../data/solids_data.js';
 
 test('every list is there, even of nothing', () => {
   const none = solidsOf({});

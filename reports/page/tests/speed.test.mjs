@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {isOwnTruth, tableOf, truthOf} from '../cheapest_data.js';
+import {isOwnTruth, tableOf, truthOf} from '../data/cheapest_data.js';
 import {kernelsOf, linesOf} from '../charts/speed/roofline_data.js';
 import {pointsOf, scenesOf} from '../charts/speed/work_precision_data.js';
 import {Results} from '../data.js';
-import * as speed from '../speed_data.js';
+import * as speed from '../data/speed_data.js';
 import {fixture, timing} from './fixture.mjs';
 
 test('results of before kernels were timed get what they lack', () => {

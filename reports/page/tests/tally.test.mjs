@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {notRun, tallyOf} from '../tally_data.js';
+import {notRun, tallyOf} from '../data/tally_data.js';
 import {finding, fixture} from './fixture.mjs';
 
 test('every finding counts once, by its verdict', () => {

@@ -1,5 +1,5 @@
 // Our 3D finite elements as marks over the lumped formulations' curves: one series per body and material law.
-import {bodyLabel, lawLook} from '../../solids_data.js';
+import {bodyLabel, lawLook} from '../../data/solids_data.js';
 
 export const SOLID_SOURCE = '3D finite elements';
 /** Shown at the start: the law that the paper's program documents, on the scene's first body. */

@@ -2,7 +2,7 @@
 import {Chart, isNarrow} from '../../chart.js';
 import {choice, h, swatch} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
-import {familyLabel, familyNamed, lawLook} from '../../solids_data.js';
+import {familyLabel, familyNamed, lawLook} from '../../data/solids_data.js';
 
 const TITLES = {
   cone: 'angle of the conical hole from the axis, rad',

@@ -2,7 +2,7 @@
 import {AT_DECADES, Chart, isNarrow} from '../../chart.js';
 import {choice, h, swatch} from '../../dom.js';
 import {full, isNumber, seconds} from '../../format.js';
-import {bodyLabel, ELEMENTS, elementLook, lawLook, LAWS, paperXi} from '../../solids_data.js';
+import {bodyLabel, ELEMENTS, elementLook, lawLook, LAWS, paperXi} from '../../data/solids_data.js';
 import {Absent} from '../../parts.js';
 
 const WHAT = [
@@ -33,7 +33,7 @@ function errorOf(body, run, what, law) {
     : undefined;
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 function pointsOf(solids, body, what, law) {
   const own = (body.runs ?? []).map((r) => ({...r, look: r.element}));
   // CalculiX has one law, and only its xi is kept.
@@ -134,7 +134,7 @@ function spec(points, what) {
 }
 
 /** Where there is most to see: CalculiX beside ours, or at least a xi that is not exact.
- * @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids
+ * @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids
  */
 function firstBody(solids) {
   return (
@@ -144,7 +144,7 @@ function firstBody(solids) {
   );
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 export function costFigure(solids) {
   const bodies = solids.bodies.filter((b) => b.runs?.length);
   if (!bodies.length) return new Absent('the results hold no run over meshes (solids.bodies[].runs)');

@@ -2,7 +2,7 @@
 import {AT_DECADES, Chart, isNarrow} from '../../chart.js';
 import {h} from '../../dom.js';
 import {seconds, short} from '../../format.js';
-import {bodyLabel, elementLook} from '../../solids_data.js';
+import {bodyLabel, elementLook} from '../../data/solids_data.js';
 import {Absent} from '../../parts.js';
 
 const PANELS = [
@@ -50,7 +50,7 @@ function spec(rows, {field, title}) {
   };
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 export function newtonFigure(solids) {
   if (!solids.newton.length)
     return new Absent('the results hold no cost of a nonlinear solve (solids.newton)');

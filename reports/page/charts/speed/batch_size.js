@@ -1,9 +1,9 @@
 // Cost against the number of joints in one call of a batch, from cache to memory.
 import {AT_DECADES, Chart, isNarrow} from '../../chart.js';
-import {KINDS} from '../../accuracy_data.js';
+import {KINDS} from '../../data/accuracy_data.js';
 import {choice, h, plainTable, select, swatch, toggles} from '../../dom.js';
 import {full, nanoseconds, plural, short} from '../../format.js';
-import {ISAS, isaLabel, present, WHAT} from '../../speed_data.js';
+import {ISAS, isaLabel, present, WHAT} from '../../data/speed_data.js';
 import {Absent} from '../../parts.js';
 import {HUE} from '../../palette.js';
 import {candidatesOf, firstState, limitsOf, outputLabel, seriesKey} from './batch_size_data.js';

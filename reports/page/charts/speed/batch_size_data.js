@@ -1,6 +1,15 @@
 // What the figure of batch sizes shows: batches that were timed at several sizes, and where caches are full.
-import {KINDS} from '../../accuracy_data.js';
-import {ISAS, levelOf, present, speedOf, usable, variantLabel, WHAT, whatLabel} from '../../speed_data.js';
+import {KINDS} from '../../data/accuracy_data.js';
+import {
+  ISAS,
+  levelOf,
+  present,
+  speedOf,
+  usable,
+  variantLabel,
+  WHAT,
+  whatLabel
+} from '../../data/speed_data.js';
 
 const isCandidate = (t) => t.implementation === 'batch' && t.joints > 0 && usable(t);
 /** What comes out, and by which variant; batches are timed with joint points and frames at the nodes. */

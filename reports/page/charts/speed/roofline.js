@@ -1,9 +1,9 @@
 // Roofline: flops per ns against flops per byte of every batch kernel, under the peaks and bandwidths of this run.
 import {AT_DECADES, Chart, isNarrow} from '../../chart.js';
-import {KINDS} from '../../accuracy_data.js';
+import {KINDS} from '../../data/accuracy_data.js';
 import {choice, h, plainTable, swatch} from '../../dom.js';
 import {percent, short} from '../../format.js';
-import {ISAS, isaLabel, present, speedOf, whatLabel} from '../../speed_data.js';
+import {ISAS, isaLabel, present, speedOf, whatLabel} from '../../data/speed_data.js';
 import {Absent} from '../../parts.js';
 import {inMemory, isRoofed, kernelsOf, linesOf} from './roofline_data.js';
 import {HUE} from '../../palette.js';

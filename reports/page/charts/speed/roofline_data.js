@@ -1,6 +1,6 @@
 // Numbers of the roofline: rate, intensity and limit of each batch kernel, and the roofs themselves.
 import {percent, short} from '../../format.js';
-import {ISAS, isaLabel, levelOf, usable, variantLabel, whatLabel} from '../../speed_data.js';
+import {ISAS, isaLabel, levelOf, usable, variantLabel, whatLabel} from '../../data/speed_data.js';
 
 const BANDWIDTH = {nontemporal: 'non-temporal'};
 const bandwidthLabel = (b) =>

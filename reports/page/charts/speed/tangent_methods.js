@@ -1,8 +1,8 @@
 // The tangent by method: time, and error over phi up to pi, where differences fail.
-import {KINDS} from '../../accuracy_data.js';
+import {KINDS} from '../../data/accuracy_data.js';
 import {choice, h, plainTable, select} from '../../dom.js';
 import {isNumber, nanoseconds, short} from '../../format.js';
-import {methodLabel, nearPi, present, ratio, usable} from '../../speed_data.js';
+import {methodLabel, nearPi, present, ratio, usable} from '../../data/speed_data.js';
 import {Absent} from '../../parts.js';
 import {SeriesPanels} from '../series_panels.js';
 import {HUE} from '../../palette.js';

@@ -1,10 +1,10 @@
 // The work-precision figure: what an error costs, for every implementation, precision, variant and method.
 import {Chart} from '../../chart.js';
-import {front, KINDS} from '../../accuracy_data.js';
+import {front, KINDS} from '../../data/accuracy_data.js';
 import {choice, h, isolate, plainTable, select, swatch, toggles} from '../../dom.js';
 import {nanoseconds, short} from '../../format.js';
 import {look} from '../../palette.js';
-import {MARKS, markOf, rangeKey, rangeLabel, usable, WHAT, whatLabel} from '../../speed_data.js';
+import {MARKS, markOf, rangeKey, rangeLabel, usable, WHAT, whatLabel} from '../../data/speed_data.js';
 import {Absent} from '../../parts.js';
 import {withLabels} from '../labels.js';
 import {pointsOf, rangesIn, scenesOf, timingsOf} from './work_precision_data.js';

@@ -1,5 +1,5 @@
 // Points of the work-precision figure: error against time in its three views.
-import {errorOf, kindLabel} from '../../accuracy_data.js';
+import {errorOf, kindLabel} from '../../data/accuracy_data.js';
 import {isNumber} from '../../format.js';
 import {
   briefOf,
@@ -12,8 +12,8 @@ import {
   roundingFloor,
   usable,
   variantLabel
-} from '../../speed_data.js';
-import {bodyLabel, GROUPS} from '../../solids_data.js';
+} from '../../data/speed_data.js';
+import {bodyLabel, GROUPS} from '../../data/solids_data.js';
 
 const kOwnScene = 'modelling_error';
 

@@ -2,7 +2,7 @@
 import {AT_DECADES, isNarrow} from '../../chart.js';
 import {full, nanoseconds, short} from '../../format.js';
 import {look} from '../../palette.js';
-import {MARKS} from '../../speed_data.js';
+import {MARKS} from '../../data/speed_data.js';
 
 const Y_TITLE = {
   numerical: 'worst numerical error, relative',

@@ -1,6 +1,6 @@
 // One small chart per way to fail, one row per formulation: the bound of its safe range for each tolerance.
 import {AT_DECADES, Chart} from '../../chart.js';
-import {TOLERANCES, failuresOf} from '../../atlas_data.js';
+import {TOLERANCES, failuresOf} from '../../data/atlas_data.js';
 import {h, plainTable, swatch} from '../../dom.js';
 import {short} from '../../format.js';
 import {Absent} from '../../parts.js';

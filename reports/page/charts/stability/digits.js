@@ -1,8 +1,8 @@
 // What each digit costs: the variants of one joint, error over phi beside time.
-import {KINDS} from '../../accuracy_data.js';
+import {KINDS} from '../../data/accuracy_data.js';
 import {choice, h, plainTable, select} from '../../dom.js';
 import {isNumber, nanoseconds, short, superscript} from '../../format.js';
-import {isAnalytic, phiText, present, rangesOf, usable, variantLabel, WHAT} from '../../speed_data.js';
+import {isAnalytic, phiText, present, rangesOf, usable, variantLabel, WHAT} from '../../data/speed_data.js';
 import {Absent} from '../../parts.js';
 import {SeriesPanels} from '../series_panels.js';
 import {HUE} from '../../palette.js';

@@ -1,6 +1,6 @@
 // Net work round closed loops of poses over their amplitude (results.stability.energy.loops).
 import {Chart} from '../../chart.js';
-import {kindLabel} from '../../accuracy_data.js';
+import {kindLabel} from '../../data/accuracy_data.js';
 import {choice, h, plainTable} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
 import {Absent} from '../../parts.js';

@@ -1,6 +1,6 @@
 // Work round a closed loop of poses: how it grows with the amplitude.
 import {Chart, isNarrow} from '../../chart.js';
-import {kindLabel} from '../../accuracy_data.js';
+import {kindLabel} from '../../data/accuracy_data.js';
 import {VERDICTS} from '../../data.js';
 import {h, swatch} from '../../dom.js';
 import {isNumber, short} from '../../format.js';

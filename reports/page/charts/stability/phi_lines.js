@@ -1,7 +1,7 @@
 // Error against phi, one line per series: over a logarithmic axis, or range by range where many crowd at pi.
 import {AT_DECADES, isNarrow} from '../../chart.js';
 import {full, isNumber, nanoseconds} from '../../format.js';
-import {nearPi, rangeKey, rangeLabel, rangesOf, roundingFloor} from '../../speed_data.js';
+import {nearPi, rangeKey, rangeLabel, rangesOf, roundingFloor} from '../../data/speed_data.js';
 
 const FADED = 0.12;
 const shown = (t, error) => Math.max(error, roundingFloor(t));

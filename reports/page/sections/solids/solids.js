@@ -3,10 +3,10 @@ import {shapeFigure} from '../../charts/solids/solids_shape.js';
 import {h} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
 import {Absent} from '../../parts.js';
-import {bodyLabel, paperXi} from '../../solids_data.js';
+import {bodyLabel, paperXi} from '../../data/solids_data.js';
 
 /** Each body's widest error bars, in words.
- * @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids
+ * @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids
  */
 function certainty(solids) {
   const widest = (list) => short(Math.max(...list.filter(isNumber)));
@@ -20,7 +20,7 @@ function certainty(solids) {
   return known.length ? `Widest error bars of compliance (relative) and ξ: ${known.join('; ')}.` : '';
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 function absent(solids) {
   if (!solids.missing.length) return null;
   return h(
@@ -32,7 +32,7 @@ function absent(solids) {
   );
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 export function bodiesPart(solids) {
   if (!solids.given) return new Absent('the results hold no 3D finite elements (solids)');
   return [

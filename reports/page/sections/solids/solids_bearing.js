@@ -2,7 +2,7 @@
 import {bearingChart} from '../../charts/solids/solids_bearing.js';
 import {h, scrolling} from '../../dom.js';
 import {isNumber, percent, plural, short} from '../../format.js';
-import {familyLabel, familyNamed, lawLook, withBar} from '../../solids_data.js';
+import {familyLabel, familyNamed, lawLook, withBar} from '../../data/solids_data.js';
 import {Absent} from '../../parts.js';
 
 const extent = (f) => `${short(f.extent, 4)} ${f.cut === 'cone' ? 'rad' : 'm'}`;
@@ -122,7 +122,7 @@ function xiTable(bearing) {
   );
 }
 
-/** @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids */
+/** @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids */
 export function bearingPart(solids) {
   if (!solids.bearing?.families?.length)
     return new Absent('the results hold no fitted bearing (solids.bearing)');

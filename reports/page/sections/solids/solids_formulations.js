@@ -1,8 +1,8 @@
 // How far each formulation's second-order couplings are from each 3D body's, beside its cost.
-import {solidErrorOf} from '../../accuracy_data.js';
+import {solidErrorOf} from '../../data/accuracy_data.js';
 import {h, scrolling} from '../../dom.js';
 import {nanoseconds, short} from '../../format.js';
-import {bodyLabel, GROUPS} from '../../solids_data.js';
+import {bodyLabel, GROUPS} from '../../data/solids_data.js';
 import {Absent} from '../../parts.js';
 
 const kKind = 'linear_angular';

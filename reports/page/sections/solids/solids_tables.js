@@ -2,7 +2,7 @@
 import {VERDICTS} from '../../data.js';
 import {h, scrolling} from '../../dom.js';
 import {isNumber, percent, short} from '../../format.js';
-import {printedDigits, withBar} from '../../solids_data.js';
+import {printedDigits, withBar} from '../../data/solids_data.js';
 import {story} from '../matrix.js';
 
 const TABLES = [

@@ -1,7 +1,7 @@
 // xi of each body and material law: under the paper's moments, the best one, and what no xi represents.
 import {h, scrolling} from '../../dom.js';
 import {isNumber, percent, short} from '../../format.js';
-import {bodyLabel, GROUPS, lawLook, paperXi, withBar} from '../../solids_data.js';
+import {bodyLabel, GROUPS, lawLook, paperXi, withBar} from '../../data/solids_data.js';
 import {Absent} from '../../parts.js';
 
 /** The printed xi of the frustum and whether a law gives it to the printed digits.
@@ -62,7 +62,7 @@ function rows(results, body) {
 }
 
 /** Every pair of loads: they need not agree on xi.
- * @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids
+ * @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids
  */
 function pairs(solids) {
   const names = ['13', '23', '12'];
@@ -116,7 +116,7 @@ function pairs(solids) {
 }
 
 /** Bodies whose xi is 1/2 on every mesh and for every law, in words.
- * @param {ReturnType<typeof import('../../solids_data.js').solidsOf>} solids
+ * @param {ReturnType<typeof import('../../data/solids_data.js').solidsOf>} solids
  */
 function halves(solids) {
   return solids.bodies

@@ -1,6 +1,6 @@
 // The cheapest sufficient model: per scene and tolerance, what to use.
-import {isOwnTruth, tableOf} from '../../cheapest_data.js';
-import {kindLabel} from '../../accuracy_data.js';
+import {isOwnTruth, tableOf} from '../../data/cheapest_data.js';
+import {kindLabel} from '../../data/accuracy_data.js';
 import {h, scrolling, swatch} from '../../dom.js';
 import {isNumber, nanoseconds, percent, short, superscript} from '../../format.js';
 import {look} from '../../palette.js';
@@ -13,7 +13,7 @@ import {
   ratio,
   speedOf,
   variantLabel
-} from '../../speed_data.js';
+} from '../../data/speed_data.js';
 
 const powerText = (x) => (Number.isInteger(Math.log10(x)) ? `10${superscript(Math.log10(x))}` : short(x));
 const madeOf = (c) =>

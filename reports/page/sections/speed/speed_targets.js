@@ -1,9 +1,9 @@
 // Targets of this run, competitors in it, figures that others published, and instruction counts.
-import {kindLabel} from '../../accuracy_data.js';
+import {kindLabel} from '../../data/accuracy_data.js';
 import {h, plainTable, scrolling} from '../../dom.js';
 import {isNumber, nanoseconds, short} from '../../format.js';
 import {Absent} from '../../parts.js';
-import {isAnalytic, isCompetitor, ratio, speedOf, usable, whatLabel} from '../../speed_data.js';
+import {isAnalytic, isCompetitor, ratio, speedOf, usable, whatLabel} from '../../data/speed_data.js';
 
 const HELD = {at_least: 'at least', at_most: 'at most'};
 

@@ -1,6 +1,6 @@
 // The 3D truth (results.solids): look-ups, names and looks that its tables and charts share.
-import {isNumber, short, superscript} from './format.js';
-import {HUE} from './palette.js';
+import {isNumber, short, superscript} from '../format.js';
+import {HUE} from '../palette.js';
 
 // Okabe-Ito hues by CSS variable; dash and shape tell them apart without colour.
 
@@ -32,7 +32,7 @@ export const GROUPS = [
 ];
 
 /** Every list is there, possibly empty.
- * @param {import('./data.js').Results} results
+ * @param {import('../data.js').Results} results
  */
 export function solidsOf(results) {
   const s = results.solids ?? {};

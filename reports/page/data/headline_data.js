@@ -1,9 +1,9 @@
 // What the headline says, as numbers: which formulation, up to which angle and load.
 import {KINDS, accuracyOf, front} from './accuracy_data.js';
-import {isNumber} from './format.js';
+import {isNumber} from '../format.js';
 import {degrees, farthest, rangesOf, studyOf} from './ranges_data.js';
 
-/** @typedef {import('./data.js').Results} Results */
+/** @typedef {import('../data.js').Results} Results */
 /** @typedef {import('./accuracy_data.js').Point} Point */
 
 /** The kind that the page shows first: the one with most measured points, angular before others.
@@ -30,7 +30,7 @@ export function conditionOf(results, formulation, kind) {
 }
 
 /** Rotation of a curve at a load, degrees.
- * @param {import('./results').Curve | undefined} curve
+ * @param {import('../results').Curve | undefined} curve
  * @param {number} factor
  */
 function angleOf(curve, factor) {

@@ -1,5 +1,5 @@
 // Timings beyond the reference: what they are of, how they are marked, and the results' object `speed`.
-import {isNumber, short, superscript} from './format.js';
+import {isNumber, short, superscript} from '../format.js';
 
 /** Results of before kernels were timed name none of these. */
 export const withDefaults = (t) => ({
@@ -18,7 +18,7 @@ export const isAnalytic = (t) => t.method === '' || t.method === 'analytic';
 
 const LISTS = ['peaks', 'bandwidth', 'targets', 'published', 'cheapest', 'instructions'];
 /** Every list is there, possibly empty.
- * @param {import('./data.js').Results} results
+ * @param {import('../data.js').Results} results
  */
 export const speedOf = (results) => Object.fromEntries(LISTS.map((key) => [key, results.speed?.[key] ?? []]));
 

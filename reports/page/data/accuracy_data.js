@@ -1,11 +1,11 @@
 // Points of error against time: one per formulation and kind of joint, and why a point is missing.
-import {isNumber, short} from './format.js';
+import {isNumber, short} from '../format.js';
 import {implementationLabel} from './speed_data.js';
 
-/** @typedef {import('./data.js').Results} Results */
-/** @typedef {import('./results').Finding} Finding */
-/** @typedef {import('./results').Timing} Timing */
-/** @typedef {import('./results').Formulation} Formulation */
+/** @typedef {import('../data.js').Results} Results */
+/** @typedef {import('../results').Finding} Finding */
+/** @typedef {import('../results').Timing} Timing */
+/** @typedef {import('../results').Formulation} Formulation */
 /** @typedef {{body: string, group: string}} SolidChoice */
 /** @typedef {{value: number, floor: number, note: string, truth?: string, reason?: undefined}} Measured */
 /** @typedef {{reason: string, value?: undefined, floor?: undefined, note?: undefined}} Unknown */

@@ -1,5 +1,5 @@
 // The failure atlas: for each way to fail, how far each formulation is safe, and what a user is told beyond.
-import {isNumber, percent, short} from './format.js';
+import {isNumber, percent, short} from '../format.js';
 
 export const TOLERANCES = [
   {key: 1e-3, label: '10⁻³'},
@@ -40,12 +40,12 @@ function seriesRow(formulation, xs, errors, {from = false, largest = Infinity} =
 /** A series without a point says nothing. */
 const hasPoints = (s) => s.x.length > 0;
 
-/** @param {import('./data.js').Results} results */
+/** @param {import('../data.js').Results} results */
 const defects = (results, what) =>
   (results.stability?.defects ?? [])
     .filter((s) => s.what === what && hasPoints(s))
     .map((s) => seriesRow(s.formulation, s.x, s.error));
-/** @param {import('./data.js').Results} results */
+/** @param {import('../data.js').Results} results */
 const conditioning = (results, what, options = {}) =>
   (results.stability?.range?.conditioning ?? [])
     .filter((s) => s.what === what && hasPoints(s))
@@ -58,7 +58,7 @@ const limitRow = (formulation, x, largest, message) => ({
   limits: [isNumber(x) ? {x} : {all: true, x: largest}]
 });
 
-/** @param {import('./data.js').Results} results */
+/** @param {import('../data.js').Results} results */
 function loops(results) {
   return (results.stability?.energy?.loops ?? [])
     .filter((l) => l.kind === 'angular' && l.points.length)
@@ -72,7 +72,7 @@ function loops(results) {
 }
 
 /** The first of half a turn, or of a pole on the way, about any axis.
- * @param {import('./data.js').Results} results
+ * @param {import('../data.js').Results} results
  */
 function halfTurns(results) {
   const turns = results.stability?.range?.large_rotation ?? [];
@@ -98,7 +98,7 @@ function halfTurns(results) {
 }
 
 /** The first singular point of the straight path, or what ended it.
- * @param {import('./data.js').Results} results
+ * @param {import('../data.js').Results} results
  */
 function firstSingular(results) {
   const {curves = [], columns = []} = results.stability?.paths ?? {};
@@ -115,7 +115,7 @@ function firstSingular(results) {
     });
 }
 
-/** @param {import('./data.js').Results} results */
+/** @param {import('../data.js').Results} results */
 function newtonSteps(results) {
   const {maps = [], grids = []} = results.stability?.basins ?? {};
   const grid = grids.find((g) => g.unit !== 'rad') ?? grids[0];
@@ -131,12 +131,12 @@ function newtonSteps(results) {
     );
 }
 
-/** @param {import('./data.js').Results} results */
+/** @param {import('../data.js').Results} results */
 const refusal = (results, prefix) =>
   (results.stability?.range?.refusals ?? []).find((r) => r.what.startsWith(prefix))?.says || 'none';
 
 /** Every way to fail: rows with the bound of the safe range for each tolerance.
- * @param {import('./data.js').Results} results
+ * @param {import('../data.js').Results} results
  */
 export function failuresOf(results) {
   if (!results.stability) return [];

@@ -1,9 +1,9 @@
 // How far each formulation follows the nonlinear 3D body: loads from the findings fe_range_*, degrees by the
 // stored 3D curve of the same study.
-import {isNumber} from './format.js';
+import {isNumber} from '../format.js';
 
-/** @typedef {import('./data.js').Results} Results */
-/** @typedef {import('./results').Finding} Finding */
+/** @typedef {import('../data.js').Results} Results */
+/** @typedef {import('../results').Finding} Finding */
 /** Phi in degrees; whole: to the curve's end.
  * @typedef {{load: number, phi: number | undefined, isWhole: boolean}} Reach */
 /** @typedef {{formulation: string, kind: string, study: string, unit: string, one: Reach, five: Reach, end: Reach,

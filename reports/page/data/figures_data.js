@@ -1,9 +1,9 @@
 // What the figures of the scenes show, from the results alone: a new scene has its picture without an edit.
-import {isNumber, superscript} from './format.js';
+import {isNumber, superscript} from '../format.js';
 
-/** @typedef {import('./results').Curve} Curve */
-/** @typedef {import('./results').ReferenceCurve} ReferenceCurve */
-/** @typedef {import('./data.js').Results} Results */
+/** @typedef {import('../results').Curve} Curve */
+/** @typedef {import('../results').ReferenceCurve} ReferenceCurve */
+/** @typedef {import('../data.js').Results} Results */
 /** @typedef {{title: string, unit: string}} Axis */
 
 const AXES = {x: '₁', y: '₂', z: '₃'};
@@ -24,7 +24,7 @@ export function outputAxis(output) {
 }
 
 /** What the load factor multiplies, where the results say so.
- * @param {import('./results').Scene} scene
+ * @param {import('../results').Scene} scene
  * @returns {Axis}
  */
 export const loadAxis = (scene) => ({

@@ -1,6 +1,6 @@
 // The counts of a report, by the rule of summary.md and junit.xml: every finding counts once, by its verdict.
 
-/** @typedef {import('./results').Finding} Finding */
+/** @typedef {import('../results').Finding} Finding */
 
 /** @param {Finding[]} findings */
 export function tallyOf(findings) {
@@ -11,7 +11,7 @@ export function tallyOf(findings) {
 
 /** What was not run to its end and is no finding: paths that stop, benchmarks that were skipped. The results
  * list the findings that were left out among them as well; counted here, they would count twice.
- * @param {{findings: Finding[], left_out: import('./results').LeftOut[]}} results
+ * @param {{findings: Finding[], left_out: import('../results').LeftOut[]}} results
  */
 export function notRun({findings, left_out: leftOut}) {
   const names = new Set(findings.map((f) => f.name));

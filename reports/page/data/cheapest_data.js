@@ -1,6 +1,6 @@
 // The choices of the cheapest sufficient model (results.speed.cheapest), and which of them is its own judge.
 
-/** @typedef {import('./results').Cheapest} Cheapest */
+/** @typedef {import('../results').Cheapest} Cheapest */
 
 /** The formulation that the scene's truth is a path of, by the note: "truth: invariant at 50 digits, ...".
  * @param {Cheapest} row
