@@ -1,10 +1,11 @@
 #include "reports/history/dashboard/dashboard.hpp"
+
 #include "reports/history/statistics/changes.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace halfway::history {
-
 namespace {
 
 using statistics::Exact;
@@ -16,7 +17,6 @@ Exact exact_of(const Figure& figure, const Reading& r) {
   if (r.comparison == Comparison::within) out.limit = r.high - r.low;
   // The error of what is timed: reported, and its digits count.
   if (r.comparison == Comparison::report && figure.better == Better::down) out.error = r.value;
-  if (r.verdict == Verdict::gone) return {};
   if (r.verdict != Verdict::none) out.verdict = statistics::verdict_of(to_string(r.verdict));
   return out;
 }
@@ -53,7 +53,11 @@ std::vector<Change> find_changes(const History& history) {
         add(out, statistics::find_changes(std::span<const double>(medians)), f, s, times);
       const auto changes = of_series(history, history.changes[f], s);
       std::vector<Exact> readings;
-      for (const ReadingAt& c : changes) readings.push_back(exact_of(history.figures[f], c.reading));
+      for (const ReadingAt& c : changes) {
+        const bool is_gone = c.reading.verdict == Verdict::gone && !readings.empty();
+        readings.push_back(is_gone ? readings.back() : exact_of(history.figures[f], c.reading));
+        if (is_gone) readings.back().value = readings.back().error = kNone;
+      }
       if (readings.size() > 1)
         add(out, statistics::find_changes(std::span<const Exact>(readings)), f, s, changes);
     }

@@ -130,6 +130,42 @@ BOOST_AUTO_TEST_CASE(other_figures_have_their_changes) {
   BOOST_TEST(!block(page, fmt::format("f{}", number(index, "ops"))).at("s")[0].contains("limit"));
 }
 
+/// A time 20 % slower, an error of two digits more, a figure that is gone; a series beside it stays as it is.
+BOOST_AUTO_TEST_CASE(changes_are_marked_where_they_are) {
+  const TemporaryFolder folder;
+  std::vector<Record> records;
+  for (int i = 0; i < 60; ++i) {
+    Record one = record(i, 3, 2);
+    if (i % 2) one.series.isa = "sse2";
+    const bool is_late = i >= 30 && i % 2 == 0;
+    for (auto& [name, timed] : one.timed) {
+      timed.time.median = 100000 + 100 * (i * 7 % 11);  // within 1 %
+      if (is_late && name == "t1") timed.time.median = timed.time.median * 12 / 10;
+    }
+    if (is_late) one.exact.at("e1").reading.value *= 1e4;
+    if (is_late) one.exact.erase("e2");
+    records.push_back(one);
+  }
+  keep(folder / "h", records);
+  const History history = load(folder / "h");
+  const std::vector<Change> changes = find_changes(history);
+  BOOST_REQUIRE(changes.size() == 3);
+  for (const Change& c : changes) {
+    BOOST_TEST(c.run == 30);
+    BOOST_TEST(c.series == history.runs[30].series);
+    BOOST_TEST(c.is_regression);
+    const std::string& name = history.figures[c.figure].name;
+    if (name == "t1") BOOST_TEST(std::abs(c.ratio - 1.2) < 0.01);
+    if (name == "e1") BOOST_TEST(c.digits < -1);
+    if (name == "e2") BOOST_TEST(c.text.find("not measured") != std::string::npos, c.text);
+  }
+  const json shown = json::parse(index_json(history, changes, "", "")).at("changes")[0];
+  for (const char* key :
+       {"figure", "series", "run", "before", "after", "verdict", "ratio", "digits", "p", "text"})
+    BOOST_TEST(shown.contains(key), key);
+  BOOST_TEST(shown.at("verdict") == "regression");
+}
+
 BOOST_AUTO_TEST_CASE(names_stay_inside_their_blocks) {
   const std::string page = page_of(small());
   const json index = block(page, "index");
