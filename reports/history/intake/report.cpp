@@ -81,6 +81,7 @@ void add_timing(Record& record, const json& timing, const Bench& bench, bool is_
 /// Newton steps of a path; xi where one path of several has it in its name.
 void add_curve(Record& record, const json& curve) {
   const std::string formulation = curve.at("formulation");
+  if (formulation == "linearized") return;  // the linear analysis takes none
   std::string name = fmt::format("{}/{}/iterations", curve.at("scene").get<std::string>(), formulation);
   if (record.exact.contains(name)) name += fmt::format("/xi={}", curve.at("xi").get<double>());
   add_exact(record, {name, "Newton steps", Kind::count, Better::down, formulation},

@@ -27,7 +27,8 @@ json report() {
                  "flops": 12, "wrong": false},
                 {"name": "g", "formulation": "", "isa": "", "ns": null, "error": null, "flops": 0, "wrong": true}],
     "curves": [{"scene": "c", "formulation": "f", "xi": 0.5, "iterations": 7},
-               {"scene": "c", "formulation": "f", "xi": 0.25, "iterations": 8}]})");
+               {"scene": "c", "formulation": "f", "xi": 0.25, "iterations": 8},
+               {"scene": "c", "formulation": "linearized", "xi": 0.5, "iterations": 0}]})");
 }
 
 json bench() {
@@ -73,6 +74,7 @@ BOOST_AUTO_TEST_CASE(a_report) {
   BOOST_TEST((r.exact.at("f/angular/x").figure.better == Better::down));
   BOOST_TEST(r.exact.at("c/f/iterations").reading.value == 7);
   BOOST_TEST(r.exact.at("c/f/iterations/xi=0.25").reading.value == 8);
+  BOOST_TEST(!r.exact.contains("c/linearized/iterations"));
 }
 
 BOOST_AUTO_TEST_CASE(without_repetitions_the_spread_is_not_known) {
