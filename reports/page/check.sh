@@ -37,6 +37,6 @@ if [ -n "$report" ]; then
   step results node tools/validate.mjs "$report/results.json" --strict
   export PAGE_UNDER_TEST="$report/index.html"
 fi
-PAGE_BUNDLE="$work/page.html" DASHBOARD_BUNDLE="$work/dashboard.html" step tests node --test --test-reporter=spec tests/*.test.mjs
+PAGE_BUNDLE="$work/page.html" DASHBOARD_BUNDLE="$work/dashboard.html" step tests node --test --test-reporter=spec tests/*.test.mjs tests/*/*.test.mjs
 
 [ -z "$failed" ] || { echo "check: failed:$failed" >&2; exit 1; }

@@ -10,11 +10,11 @@ export default [
     languageOptions: {globals: globals.browser}
   },
   {
-    files: ['*.mjs', 'tools/*.mjs', 'tests/*.mjs'],
+    files: ['*.mjs', 'tools/*.mjs', 'tests/*.mjs', 'tests/*/*.mjs'],
     languageOptions: {globals: globals.node}
   },
   {
-    files: ['tests/page.test.mjs', 'tests/dashboard*.mjs'], // what it hands to the page runs there
+    files: ['tests/page.test.mjs', 'tests/dashboard/*.mjs'], // what it hands to the page runs there
     languageOptions: {globals: globals.browser}
   },
   {

@@ -3,7 +3,7 @@
 //   npm run look-dashboard -- FOLDER [RESULTS.json]
 import {mkdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {bundleForNow, launch} from './browser.mjs';
+import {bundleForNow, launch} from '../browser.mjs';
 import {dashboardAddress, makeHistory, packed, smallHistory} from './history_fixture.mjs';
 
 const [folder, results] = process.argv.slice(2);

@@ -1,6 +1,6 @@
 // The dashboard's page for its tests: opened with a history, and what they look for.
 import assert from 'node:assert/strict';
-import {browserFile, launch, NO_BROWSER} from './browser.mjs';
+import {browserFile, launch, NO_BROWSER} from '../browser.mjs';
 import {dashboardAddress, packed, smallHistory} from './history_fixture.mjs';
 
 export const skip = browserFile() && process.env.DASHBOARD_BUNDLE ? false : NO_BROWSER;

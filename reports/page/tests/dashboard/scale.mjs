@@ -3,7 +3,7 @@
 // Ends with 1 where it misses what the design allows.
 import {statSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
-import {bundleForNow, launch} from './browser.mjs';
+import {bundleForNow, launch} from '../browser.mjs';
 import {dashboardAddress, largeHistory, packed} from './history_fixture.mjs';
 
 const kMostBytes = 15e6;

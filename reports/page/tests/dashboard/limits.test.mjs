@@ -1,8 +1,8 @@
 // The dashboard in Chromium: what is empty, damaged or missing, widths and axe-core.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {axe} from './browser.mjs';
-import {begin, blocks, drawn, end, ERROR, index, linkTo, open, skip, TIME} from './dashboard_page.mjs';
+import {axe} from '../browser.mjs';
+import {begin, blocks, drawn, end, ERROR, index, linkTo, open, skip, TIME} from './page.mjs';
 import {dashboardAddress, makeHistory, packed} from './history_fixture.mjs';
 
 before(begin);

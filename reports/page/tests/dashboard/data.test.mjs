@@ -1,14 +1,14 @@
 // The dashboard's numbers and words, without a document.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {Blocks, Damaged, unpack} from '../dashboard/blocks.js';
-import {History, indexFault, isOpen} from '../dashboard/history_data.js';
-import {Place} from '../dashboard/place.js';
-import {evenly, logCan, logFits, scaleOf} from '../dashboard/scale.js';
-import {extents, placed, pointsAt} from '../dashboard/scatter_data.js';
-import {statesOf} from '../dashboard/state_data.js';
-import {blockFault, csvOf, extremes, levels, medians, steps, trendOf} from '../dashboard/trend_data.js';
-import {amount, ratioText, sure} from '../dashboard/words.js';
+import {Blocks, Damaged, unpack} from '../../dashboard/blocks.js';
+import {History, indexFault, isOpen} from '../../dashboard/history_data.js';
+import {Place} from '../../dashboard/place.js';
+import {evenly, logCan, logFits, scaleOf} from '../../dashboard/scale.js';
+import {extents, placed, pointsAt} from '../../dashboard/scatter_data.js';
+import {statesOf} from '../../dashboard/state_data.js';
+import {blockFault, csvOf, extremes, levels, medians, steps, trendOf} from '../../dashboard/trend_data.js';
+import {amount, ratioText, sure} from '../../dashboard/words.js';
 import {HOSTILE, makeHistory, packed, randomOf, smallHistory} from './history_fixture.mjs';
 
 const small = smallHistory();
