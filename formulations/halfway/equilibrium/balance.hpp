@@ -58,30 +58,36 @@ Eigen::Matrix<T, unknown_count(kind), 1> motion_size(const Pose<T>& joint) {
   return out;
 }
 
-/// What rounding may leave of applied - internal, direction by direction: that of the loads that are added
-/// up, and of the motion, magnified by the tangent. Loads are turned on their way to the nodes by up to the
-/// joint's rotation, and forces have an arm of up to x: what rounds in one direction is seen in the others.
+/// What rounding leaves of applied - internal, direction by direction: that of the loads that are added up,
+/// and of the motion, magnified by the tangent.
 template <Kind kind, class T>
 Eigen::Matrix<T, unknown_count(kind), 1> rounding_of(const Balance<T, unknown_count(kind)>& inside,
                                                      const Applied<T, unknown_count(kind)>& outside,
                                                      const T& factor, const Pose<T>& joint) {
   using std::abs;
   constexpr int kRoundings = 8;  // between a pose and its loads; see verify: what random scenes need
-  const auto motion = motion_size<kind>(joint);
-  Eigen::Matrix<T, unknown_count(kind), 1> out =
-      T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
-      (inside.load.cwiseAbs() + T(abs(factor)) * outside.size + inside.tangent.cwiseAbs() * motion);
+  return T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
+         (inside.load.cwiseAbs() + T(abs(factor)) * outside.size +
+          inside.tangent.cwiseAbs() * motion_size<kind>(joint));
+}
+
+/// What it may leave at most: loads are turned on their way to the nodes by up to the joint's rotation, and
+/// forces have an arm of up to x, so that what rounds in one direction is seen in the others.
+template <Kind kind, class T>
+Eigen::Matrix<T, unknown_count(kind), 1> spread_over(Eigen::Matrix<T, unknown_count(kind), 1> rounding,
+                                                     const Pose<T>& joint) {
   if constexpr (kind != Kind::linear) {
+    const auto motion = motion_size<kind>(joint);
     const T turn = std::min(T(1), T(motion.template tail<3>().norm()));
-    const T moments = turn * out.template tail<3>().norm();
+    const T moments = turn * rounding.template tail<3>().norm();
     if constexpr (kind == Kind::linear_angular) {
-      const T forces = out.template head<3>().norm();
-      out.template head<3>().array() += turn * forces;
-      out.template tail<3>().array() += motion.template head<3>().norm() * forces;
+      const T forces = rounding.template head<3>().norm();
+      rounding.template head<3>().array() += turn * forces;
+      rounding.template tail<3>().array() += motion.template head<3>().norm() * forces;
     }
-    out.template tail<3>().array() += moments;
+    rounding.template tail<3>().array() += moments;
   }
-  return out;
+  return rounding;
 }
 
 /// A loaded joint at one load factor: the system of Newton's method.
@@ -109,8 +115,9 @@ class LoadedJoint {
     const T overflow = rounding_.sum();
     if (!isfinite(overflow)) return {overflow, false};
     // The root of the corrections' work: the one measure in which radians and metres, soft and stiff, add up.
+    const Vector off = imbalance_.cwiseAbs(), most = spread_over<kind>(rounding_, joint_);
     return {sqrt(T(step_.cwiseProduct(imbalance_).cwiseAbs().sum())),
-            (imbalance_.cwiseAbs().array() <= rounding_.array()).all()};
+            (off.array() <= rounding_.array()).all(), (off.array() <= most.array()).all()};
   }
   void move() { joint_ = displaced<kind>(joint_, step_); }
 

@@ -14,6 +14,7 @@ template <class T>
 struct NewtonLook {
   T size;            ///< of the correction, one unit for all its directions; not finite where there is none
   bool is_rounding;  ///< the imbalance is what rounding leaves, in each direction by its own measure
+  bool may_be_rounding = false;  ///< or what it may leave at most: enough where corrections shrink no more
 };
 
 enum class NewtonStop {
@@ -49,7 +50,7 @@ NewtonRun<T> newton(System& system, int most_corrections, int free = 1) {
     else if (look.is_rounding)
       run.stop = NewtonStop::rounding;
     else if (run.corrections > free && !(look.size < previous) && !(look.size < earlier))
-      run.stop = NewtonStop::stalled;
+      run.stop = look.may_be_rounding ? NewtonStop::rounding : NewtonStop::stalled;
     else if (run.corrections < most_corrections) {
       system.move();
       earlier = std::exchange(previous, look.size);
