@@ -114,26 +114,36 @@ std::vector<Finding> swept(const Entry& entry, const std::string& which, const S
           .by(oracle)};
 }
 
-/// A soft axis that is none of the node's: each load of it is a difference of two of the stiff axes. An
-/// answer is known to eps times the ratio, and has to say so.
+/// A soft axis that is none of the node's: each load of it is a difference of two of the stiff axes. In a
+/// plane of them the third load is zero but for what the others' rounding leaves there, turned by the joint.
+HingeScene rotated(double ratio, bool in_plane) {
+  HingeScene hinge;
+  hinge.where = fmt::format("ratio {:.0e}{}", ratio, in_plane ? ", soft axis in a plane" : "");
+  const Vec3<double> soft = in_plane ? Vec3<double>(0.6, 0.8, 0) : so3::exp<double>({0.7, -0.4, 0.9}).col(2);
+  const Mat3<double> along = soft * soft.transpose();
+  hinge.scene.joint.law = reference::LinearSpec{ratio * (Mat3<double>::Identity() - along) + along, false};
+  hinge.scene.outputs = {"theta_x"};
+  const Vec3<double> moment = in_plane ? Vec3<double>(0.02, 0, 0) : Vec3<double>(0.05, 0.2, 0.1);
+  hinge.scene.loads = {{reference::LoadType::fixed_moment, moment}};
+  if (in_plane) return hinge;  // frames would turn the zero away
+  hinge.scene.joint.a.H = so3::exp<double>({0.3, -0.8, 0.5});
+  hinge.scene.joint.b.H = so3::exp<double>({-0.6, 0.2, 1.1});
+  hinge.setting.frame_turn = {0.4, 0.2, -0.7};
+  return hinge;
+}
+
+/// An answer is known to eps times the ratio, and has to say so.
 Sweep rotated_sweep(const Entry& entry) {
   Sweep sweep;
-  const Mat3<double> Q = so3::exp<double>({0.7, -0.4, 0.9});
   for (const double ratio : {1e4, 1e6, 1e8, 1e10}) {
-    HingeScene hinge;
-    hinge.where = fmt::format("ratio {:.0e}", ratio);
-    const Mat3<double> K = Q * Vec3<double>(ratio, ratio, 1).asDiagonal() * Q.transpose();
-    hinge.scene.joint.law = reference::LinearSpec{(K + K.transpose()) / 2, false};
-    hinge.scene.loads = {{reference::LoadType::fixed_moment, {0.05, 0.2, 0.1}}};
-    hinge.scene.outputs = {"theta_x"};
-    hinge.scene.joint.a.H = so3::exp<double>({0.3, -0.8, 0.5});
-    hinge.scene.joint.b.H = so3::exp<double>({-0.6, 0.2, 1.1});
-    hinge.setting.frame_turn = {0.4, 0.2, -0.7};
-    Path<double> path(hinge.scene, entry, entry.probe_xi, hinge.setting);
-    Path<Real50> truth(hinge.scene, entry, entry.probe_xi, hinge.setting);
-    path.advance(1);
-    truth.advance(1);
-    include(sweep, hinge, entry, path, rotation_of(truth));
+    for (const bool in_plane : {false, true}) {
+      const HingeScene hinge = rotated(ratio, in_plane);
+      Path<double> path(hinge.scene, entry, entry.probe_xi, hinge.setting);
+      Path<Real50> truth(hinge.scene, entry, entry.probe_xi, hinge.setting);
+      path.advance(1);
+      truth.advance(1);
+      include(sweep, hinge, entry, path, rotation_of(truth));
+    }
   }
   return sweep;
 }
