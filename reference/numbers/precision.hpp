@@ -6,6 +6,7 @@
 #pragma once
 
 #include "halfway/rotations/scalar.hpp"
+#include "reference/numbers/matrices50.hpp"
 
 #include <Eigen/Core>
 
@@ -88,3 +89,13 @@ struct NumTraits<halfway::reference::Real50> : GenericNumTraits<halfway::referen
   static int digits10() { return 50; }
 };
 }  // namespace Eigen
+
+namespace halfway::reference {
+
+/// What an equilibrium of six unknowns asks for, found there by its scalar and compiled once
+/// (halfway/equilibrium/balance.hpp).
+Eigen::Matrix<Real50, 6, 1> solved(const Eigen::Matrix<Real50, 6, 6>& J,
+                                   const Eigen::Matrix<Real50, 6, 1>& r);
+Eigen::Matrix<Real50, 6, 6> inverse_of(const Eigen::Matrix<Real50, 6, 6>& J);
+
+}  // namespace halfway::reference

@@ -204,7 +204,7 @@ template <class T>
 T EquilibriumProblem<T>::linear_output(const std::string& name, const T& factor) const {
   const NodeBalance<T> at_rest = balance(start(), T(0));
   Vec3<T> theta = Vec3<T>::Zero(), u = Vec3<T>::Zero();
-  const NodeVector<T> response = at_rest.tangent.partialPivLu().solve(factor * at_rest.by_factor);
+  const NodeVector<T> response = lu_solve<T>(at_rest.tangent, NodeVector<T>(factor * at_rest.by_factor));
   if (spec_.kind != Kind::linear) theta = response.template tail<3>();
   if (spec_.kind != Kind::angular) u = response.template head<3>();
   if (exchanged_) theta = -theta, u = -u;

@@ -6,6 +6,7 @@
 
 #include "halfway/equilibrium.hpp"
 #include "reference/face/registry.hpp"
+#include "reference/numbers/linear_algebra.hpp"
 #include "reference/scene/scene.hpp"
 
 #include <string>
@@ -21,9 +22,9 @@ struct Setting {
 
 /// A vector or matrix in the unknowns of a node: 3 or 6, without allocation.
 template <class T>
-using NodeVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, 6, 1>;
+using NodeVector = SmallVector<T>;
 template <class T>
-using NodeMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+using NodeMatrix = SmallMatrix<T>;
 
 /// The equation at one state and load factor, in the unknown directions (dx, psi) as the kind has them; at
 /// the joint point of the loaded node, axes of P_a, as loads on b; N, N m.

@@ -34,13 +34,13 @@ StopCause stop_cause(const EquilibriumProblem<double>& problem, const Outcome<do
   const NodeBalance<double> rest = problem.balance(problem.start(), 0);
   const NodeBalance<double> here = problem.balance(state.joint, state.factor);
   // Over the stiffness at rest, so that no unit and no ratio of stiffnesses counts.
-  const NodeMatrix<double> grown = rest.tangent.partialPivLu().solve(here.tangent);
+  const NodeMatrix<double> grown = lu_solve(rest.tangent, here.tangent);
   if (!(grown.norm() <= kGrown)) return StopCause::pole;
-  const NodeVector<double> slope = here.tangent.partialPivLu().solve(here.by_factor);
+  const NodeVector<double> slope = lu_solve(here.tangent, here.by_factor);
   if (jumps_ahead(problem, state, here, slope)) return StopCause::jump;
-  const double softest = 1 / grown.inverse().norm();
+  const double softest = 1 / lu_inverse(grown).norm();
   if (!(softest <= kSoft)) return StopCause::unknown;
-  const NodeVector<double> response = rest.tangent.partialPivLu().solve(rest.by_factor);
+  const NodeVector<double> response = lu_solve(rest.tangent, rest.by_factor);
   return slope.norm() * std::sqrt(softest) > response.norm() ? StopCause::fold : StopCause::branching;
 }
 

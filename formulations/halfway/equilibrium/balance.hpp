@@ -39,12 +39,17 @@ Mat3<T> inverse_of(const Mat3<T>& J) {
   return Mat3<T>(J / largest).inverse() / largest;
 }
 
+template <class T>
+Eigen::Matrix<T, 6, 6> inverse_of(const Eigen::Matrix<T, 6, 6>& J) {
+  return J.inverse();
+}
+
 /// J^-1 r; not finite where J is singular. Three unknowns by cofactors, six by elimination: Newton
 /// corrects what either loses, because the imbalance is computed afresh.
 template <class T, int n>
 Eigen::Matrix<T, n, 1> solved(const Eigen::Matrix<T, n, n>& J, const Eigen::Matrix<T, n, 1>& r) {
   if constexpr (n == 3)
-    return inverse_of<T>(J) * r;
+    return inverse_of(J) * r;
   else
     return J.partialPivLu().solve(r);
 }
@@ -127,10 +132,7 @@ class LoadedJoint {
   /// What the rounding of the loads, or what is left of the imbalance, can be off in each unknown: |J^-1| r.
   Vector error() const {
     const Vector off = imbalance_.cwiseAbs().cwiseMax(rounding_);
-    if constexpr (n == 3)
-      return inverse_of<T>(J_).cwiseAbs() * off;
-    else
-      return J_.inverse().cwiseAbs() * off;
+    return inverse_of(J_).cwiseAbs() * off;  // a scalar may have its own, found by its namespace
   }
   /// |internal - applied| / |applied|
   T residual() const {

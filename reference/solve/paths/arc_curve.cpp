@@ -32,7 +32,7 @@ double error_of(const EquilibriumProblem<double>& problem, const ArcState<double
                 const Scene& scene) {
   const NodeBalance<double> balance = problem.balance(point.b, point.factor);
   const NodeVector<double> error =
-      balance.tangent.inverse().cwiseAbs() * balance.imbalance.cwiseAbs().cwiseMax(balance.rounding);
+      lu_inverse(balance.tangent).cwiseAbs() * balance.imbalance.cwiseAbs().cwiseMax(balance.rounding);
   Outcome<double> state;
   state.joint = point.b;
   if (problem.kind() != Kind::linear) state.error.tail<3>() = error.tail<3>();

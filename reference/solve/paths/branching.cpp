@@ -7,8 +7,8 @@
 namespace halfway::reference {
 namespace {
 
-using Square = Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
-using Column = Eigen::Matrix<Real50, Eigen::Dynamic, 1, 0, 8, 1>;
+using Square = SmallMatrix<Real50>;
+using Column = SmallVector<Real50>;
 
 /// The equations next to a point that is nearly a branching: F + beta psi0 = 0, g = 0.
 class Equations {
@@ -31,7 +31,7 @@ class Equations {
     M.topLeftCorner(n_, n_ + 1) = step_.equilibrium_rows(at);
     M.topRightCorner(n_, 1) = psi0_;
     M.bottomLeftCorner(2, n_ + 1) = plane_.transpose();
-    const Column z = Square(M.transpose()).partialPivLu().solve(Column(Column::Unit(n_ + 2, n_ + 1)));
+    const Column z = lu_solve<Real50>(M.transpose(), Column(Column::Unit(n_ + 2, n_ + 1)));
     return {z.head(n_), z.tail<2>()};
   }
 
@@ -56,7 +56,7 @@ class Equations {
     J.bottomLeftCorner(2, n_ + 1) = slopes(at);
     Column r(n_ + 2);
     r << step_.imbalance(at) - beta * psi0_, -null_at(at).g;
-    return J.partialPivLu().solve(r);
+    return lu_solve(J, r);
   }
 
   /// psi^T F_yy on the null plane of A, whose basis is `plane`, up to its sign.

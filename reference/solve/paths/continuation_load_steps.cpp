@@ -32,7 +32,7 @@ struct AtFactor {
 
   NewtonLook<double> look() {
     const NodeBalance<double> at = problem.balance(joint, factor);
-    correction = at.tangent.partialPivLu().solve(at.imbalance);
+    correction = lu_solve(at.tangent, at.imbalance);
     return {correction.norm(), (at.imbalance.cwiseAbs().array() <= at.rounding.array()).all()};
   }
   void move() { joint = problem.displaced(joint, correction); }

@@ -79,7 +79,7 @@ class ContinuationStep<T>::OnPlane {
     system.matrix.row(n) = row.transpose();
     system.imbalance[n] = distance_ - normal_.dot(gone);
     system.rounding[n] = step_.rounding_of_difference(out.state);
-    correction_ = system.matrix.partialPivLu().solve(system.imbalance);
+    correction_ = lu_solve(system.matrix, system.imbalance);
     out.finite = all_finite(system.matrix) && all_finite(correction_);
     return {correction_.norm(), (system.imbalance.cwiseAbs().array() <= system.rounding.array()).all()};
   }
@@ -142,10 +142,10 @@ Direction<T> ContinuationStep<T>::direction(const ArcState<T>& at, const ArcVect
   matrix.row(n) = towards.transpose();
   const ArcVector<T> last = ArcVector<T>::Unit(n + 1, n);
   Direction<T> out;
-  out.tangent = matrix.partialPivLu().solve(last).normalized();
+  out.tangent = lu_solve(matrix, last).normalized();
   matrix.row(n) = out.tangent.transpose();
-  out.determinant = matrix.partialPivLu().determinant();
-  out.tangent_stiffness = matrix.topLeftCorner(n, n).partialPivLu().determinant();
+  out.determinant = lu_determinant(matrix);
+  out.tangent_stiffness = lu_determinant<T>(matrix.topLeftCorner(n, n));
   return out;
 }
 
@@ -157,7 +157,7 @@ ArcScales arc_scales(const EquilibriumProblem<double>& problem, double factor) {
   ArcScales out;
   out.factor = factor;
   if (problem.kind() == Kind::linear)
-    out.length = rest.tangent.partialPivLu().solve(rest.by_factor).norm() * std::abs(factor);
+    out.length = lu_solve(rest.tangent, rest.by_factor).norm() * std::abs(factor);
   if (problem.kind() == Kind::linear_angular)
     out.length = std::sqrt(
         std::abs(rest.tangent.diagonal().tail<3>().sum() / rest.tangent.diagonal().head<3>().sum()));

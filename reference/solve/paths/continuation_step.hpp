@@ -8,9 +8,9 @@ namespace halfway::reference {
 
 /// A vector of (dx / length, w, factor / factor_scale), and square matrices in it.
 template <class T>
-using ArcVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, 7, 1>;
+using ArcVector = SmallVector<T>;
 template <class T>
-using ArcMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
+using ArcMatrix = SmallMatrix<T>;
 
 /// What makes displacements, rotations and load factors comparable.
 struct ArcScales {

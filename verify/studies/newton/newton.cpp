@@ -2,8 +2,6 @@
 
 #include "reference/face/instantiations.hpp"
 
-#include <Eigen/LU>
-
 #include <cmath>
 #include <numbers>
 
@@ -63,11 +61,11 @@ NodeMatrix<T> matrix(const EquilibriumProblem<T>& problem, NewtonTangent tangent
 
 /// False where no digit of the step would be right: a pivot vanishes beside the largest one.
 template <class T>
-bool solvable(const NodeMatrix<T>& factors) {
+bool solvable(const NodeVector<T>& pivots) {
   using std::abs;
-  T least(abs(factors(0, 0))), largest = least;
-  for (Eigen::Index i = 1; i < factors.rows(); ++i) {
-    const T pivot = abs(factors(i, i));
+  T least(abs(pivots[0])), largest = least;
+  for (Eigen::Index i = 1; i < pivots.size(); ++i) {
+    const T pivot = abs(pivots[i]);
     if (pivot < least) least = pivot;
     if (pivot > largest) largest = pivot;
   }
@@ -98,7 +96,7 @@ NewtonRun<T> plain_newton(const EquilibriumProblem<T>& problem, NewtonTangent ta
   NewtonRun<T> run;
   run.poses.push_back(start);
   const T at_rounding = rounding(problem, factor);
-  Eigen::PartialPivLU<NodeMatrix<T>> solver;
+  NodeMatrix<T> solved_with;
   while (true) {
     const Pose<T>& b = run.poses.back();
     const NodeBalance<T> balance = problem.balance(b, factor);
@@ -112,13 +110,13 @@ NewtonRun<T> plain_newton(const EquilibriumProblem<T>& problem, NewtonTangent ta
     }
     if (run.iterations == most_iterations) return run;
     if (run.iterations == 0 || tangent != NewtonTangent::frozen) {
-      solver.compute(matrix(problem, tangent, b, factor, balance.tangent));
-      if (!solvable<T>(solver.matrixLU())) {
+      solved_with = matrix(problem, tangent, b, factor, balance.tangent);
+      if (!solvable<T>(lu_pivots(solved_with))) {
         run.end = NewtonEnd::singular_tangent;
         return run;
       }
     }
-    const NodeVector<T> step = solver.solve(balance.imbalance);
+    const NodeVector<T> step = lu_solve(solved_with, balance.imbalance);
     if (!(step.norm() <= T(kLongestStep))) {
       run.end = NewtonEnd::singular_tangent;
       return run;

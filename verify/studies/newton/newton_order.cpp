@@ -76,7 +76,7 @@ NewtonOrder newton_order(const Scene& scene, const Entry& entry, NewtonTangent t
   const NodeMatrix<Real50> J = newton_tangent(problem, NewtonTangent::analytic, solution, Real50(factor));
   const bool is_frozen = tangent == NewtonTangent::frozen;
   const NodeMatrix<Real50> M = newton_tangent(problem, tangent, is_frozen ? b : solution, Real50(factor));
-  const Mat3<Real50> gain = M.partialPivLu().solve(NodeMatrix<Real50>(M - J));
+  const Mat3<Real50> gain = lu_solve<Real50>(M, NodeMatrix<Real50>(M - J));
   out.predicted = spectral_radius(gain.cast<double>());
   out.asymmetry = double(NodeMatrix<Real50>(J - J.transpose()).norm() / J.norm());
   return out;
