@@ -12,8 +12,6 @@ usage: reports/history/own/keep.sh [COMMIT ...]
                    kept is passed over, and an interrupted run goes on where it was. build/own can go
                    afterwards: git worktree remove --force build/own/COMMIT
   --report FOLDER  keep a report that is there, such as build/ci/report: of a commit, without changes
-
-HALFWAY_HISTORY names another text than the history.jsonl beside this script.
 TEXT
 }
 
@@ -21,11 +19,7 @@ say() { printf 'keep: %s\n' "$*" >&2; }
 fail() { say "$*"; exit 1; }
 
 own=$(cd "$(dirname "$0")" && pwd)
-kept=${HALFWAY_HISTORY:-$own/history.jsonl}
-case $kept in
-  /*) ;;
-  *) kept=$PWD/$kept ;;
-esac
+kept=$own/history.jsonl
 list=$own/commits.txt
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
