@@ -9,7 +9,7 @@ own=$3
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
-fail() { echo "own: $1" >&2; cat said err >&2; exit 1; }
+fail() { echo "own: $1" >&2; cat "$folder/said" "$folder/err" >&2; exit 1; }
 compare() { env -u GITHUB_ACTIONS -u GITLAB_CI -u TF_BUILD "$gate" compare "$@" > said 2> err; }
 
 "$history" history list --file "$own/history.jsonl" > said 2> err || fail "cannot be read"
@@ -67,12 +67,13 @@ CODE=1 keep || fail "a report with failures is none"
 grep -q '\[a name\] the first' ../said || fail "the commit has not its name and subject"
 keep HEAD || fail "the second commit is not kept"
 [ "$(lines)" -eq 3 ] || fail "$(lines) lines, not 3"
-keep HEAD "$(git rev-parse HEAD~)" || fail "commits that are kept are no longer passed over"
-[ "$(wc -l < ../reports)" -eq 2 ] || fail "measured again without need"
 # Interrupted after the report: that is not made again.
 rm reports/history/own/history.jsonl
 keep HEAD || fail "cannot go on"
 [ "$(wc -l < ../reports)" -eq 2 ] || fail "a report that is there is made again"
+rm -r build/own/*/out
+keep HEAD || fail "a commit that is kept is no longer passed over"
+[ "$(wc -l < ../reports)" -eq 2 ] || fail "measured again without need"
 keep no-such-commit && fail "no commit is kept"
 grep -q "'no-such-commit' is no commit here" ../err || fail "not named"
 cp reports/history/own/history.jsonl ../before
