@@ -32,6 +32,9 @@ name_of() { sed -n "s/^$(printf %.7s "$1")[0-9a-f]* *//p" "$list"; }
 
 is_kept() { [ -f "$kept" ] && grep -q "^{\"commit\":\"$(printf %.7s "$1")" "$kept"; }
 
+# When it was committed: measured in any order, runs stand in that of their commits.
+date_of() { TZ=UTC git -C "$top" log -1 --date=format-local:%Y-%m-%dT%H:%M:%SZ --format=%cd "$1"; }
+
 # add FOLDER: the text becomes a database, the report is added, and the text is written anew, all of it or nothing.
 # Repetitions are left out: the machine was busy, and with them older lines would change with each new one.
 add() {
@@ -44,7 +47,8 @@ add() {
   git -C "$top" cat-file -e "$commit^{commit}" 2>/dev/null || fail "$1: of $commit, which is no commit here"
   rm -f "$work"/*
   [ ! -f "$kept" ] || "$top/halfway" history import "$kept" --file "$work/own.sqlite"
-  (cd "$top" && ./halfway history add "$1" --file "$work/own.sqlite" --release "$(name_of "$commit")")
+  (cd "$top" && ./halfway history add "$1" --file "$work/own.sqlite" --date "$(date_of "$commit")" \
+    --release "$(name_of "$commit")")
   "$top/halfway" history prune --repetitions 0 --file "$work/own.sqlite"
   "$top/halfway" history export --file "$work/own.sqlite" --out "$kept"
 }

@@ -55,18 +55,20 @@ exit \${CODE:-0}
 SCRIPT
 chmod +x halfway
 printf 'build/\nout/\n' > .gitignore
-commit() { git -c user.name=n -c user.email=e add -A && git -c user.name=n -c user.email=e commit -qm "$1"; }
-git init -q . && commit 'the first' || fail "no repository"
+# commit DAY SUBJECT
+commit() { git add -A && GIT_COMMITTER_DATE="2026-01-0$1T02:00:00+02:00" git -c user.name=n -c user.email=e commit -qm "$2"; }
+git init -q . && commit 1 'the first' || fail "no repository"
 echo "$(git rev-parse --short=7 HEAD) a name" > reports/history/own/commits.txt
-commit 'the second' || fail "no second commit"
+commit 2 'the second' || fail "no second commit"
 keep() { env CHANGES="${CHANGES:-}" reports/history/own/keep.sh "$@" > ../said 2> ../err; }
 lines() { wc -l < reports/history/own/history.jsonl; }
 
-CODE=1 keep || fail "a report with failures is none"
+# The later one first: they stand in the order of their commits.
+CODE=1 keep HEAD || fail "a report with failures is none"
+keep || fail "the commit of the list is not kept"
 "$history" history list --file reports/history/own/history.jsonl > ../said
-grep -q '\[a name\] the first' ../said || fail "the commit has not its name and subject"
-keep HEAD || fail "the second commit is not kept"
-[ "$(lines)" -eq 3 ] || fail "$(lines) lines, not 3"
+grep -q "1  2026-01-01T00:00:00Z  $(git rev-parse --short=12 HEAD~) .*\[a name\] the first" ../said || fail "the first commit has not its date, name and subject"
+grep -q '2  2026-01-02T00:00:00Z .* the second' ../said || fail "the second is not the second"
 # Interrupted after the report: that is not made again.
 rm reports/history/own/history.jsonl
 keep HEAD || fail "cannot go on"
