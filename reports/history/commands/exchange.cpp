@@ -1,7 +1,9 @@
 // halfway history export, import.
 #include "reports/history/exchange/exchange.hpp"
+
 #include "reports/cli/streams.hpp"
 #include "reports/history/commands/commands.hpp"
+#include "reports/history/exchange/lines.hpp"
 #include "reports/history/store/store.hpp"
 #include "reports/views/files.hpp"
 

@@ -1,4 +1,5 @@
 #include "reports/history/commands/commands.hpp"
+#include "reports/history/exchange/lines.hpp"
 #include "reports/history/store/store.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ void add_file(CLI::App& command, std::string& file) {
 }
 
 History load(const std::string& file) {
+  if (is_lines(file)) return read_history(file);
   History out;
   with_store(file, Access::read, [&](Store& store) { out = store.load(); });
   return out;

@@ -1,5 +1,6 @@
 #include "reports/history/dashboard/dashboard.hpp"
 
+#include "reports/history/record/exact.hpp"
 #include "reports/history/statistics/changes.hpp"
 
 #include <algorithm>
@@ -9,17 +10,6 @@ namespace halfway::history {
 namespace {
 
 using statistics::Exact;
-
-Exact exact_of(const Figure& figure, const Reading& r) {
-  Exact out{
-      .value = r.value, .error = error_of(r), .limit = limit_of(r), .is_count = figure.kind == Kind::count};
-  if (r.comparison == Comparison::at_least) out.limit = -r.low;
-  if (r.comparison == Comparison::within) out.limit = r.high - r.low;
-  // The error of what is timed: reported, and its digits count.
-  if (r.comparison == Comparison::report && figure.better == Better::down) out.error = r.value;
-  if (r.verdict != Verdict::none) out.verdict = statistics::verdict_of(to_string(r.verdict));
-  return out;
-}
 
 /// Of the runs in which a figure was there, those of one series.
 template <class Item>

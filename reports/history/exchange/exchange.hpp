@@ -35,12 +35,6 @@ std::string ctest_measurements(const Selection& selection, bool is_chosen);
 /// What was kept, a line each: times of each run, other figures where they changed. `run` negative: all.
 std::string csv(const History& history, int run, const std::function<bool(const std::string&)>& is_wanted);
 
-/// All that a file keeps, a run a line; `run`: that one alone, with all of its figures. Back by read_lines.
-std::string json_lines(const History& history, int run);
-/// Throws reports::BadInput that names the line.
-void read_lines(const std::string& text, const std::string& name,
-                const std::function<void(const Record&)>& sink);
-
 /// Text for XML: what it cannot have is dropped.
 std::string xml_text(const std::string& text);
 

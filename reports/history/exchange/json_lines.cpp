@@ -1,13 +1,17 @@
 #include "reports/cli/errors.hpp"
-#include "reports/history/exchange/exchange.hpp"
+#include "reports/history/exchange/lines.hpp"
+#include "reports/views/files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
-#include <numeric>
+#include <fstream>
 #include <sstream>
+#include <string_view>
+#include <tuple>
 
 namespace halfway::history {
 namespace {
@@ -48,43 +52,53 @@ ordered_json time_json(int figure, const Time& t, const Repetitions* all) {
   return out;
 }
 
+/// Of each run.
 struct Lines {
-  ordered_json figures = ordered_json::array();  ///< that are used, by name: a history in any order of its
-                                                 ///< figures is one text
-  std::vector<ordered_json> times, changes;      ///< of each run
+  explicit Lines(std::size_t runs) : figures(runs, ordered_json::array()), times(figures), changes(figures) {}
+  std::vector<ordered_json> figures;  ///< that no earlier run has, by name
+  std::vector<ordered_json> times, changes;
 };
 
-/// A run alone says all that holds, the whole file what changed.
+/// The first run that has the figure; -1: none of those that are wanted.
+int first_of(const History& h, int f, int only, const std::vector<Reading>& all) {
+  const auto& times = h.times[f];
+  if (only >= 0) {
+    const bool is_timed = std::ranges::find(times, only, &TimeAt::run) != times.end();
+    return is_timed || all[f].verdict != Verdict::gone ? only : -1;
+  }
+  const int timed = times.empty() ? INT_MAX : times.front().run;
+  const int changed = h.changes[f].empty() ? INT_MAX : h.changes[f].front().run;
+  const int first = std::min(timed, changed);
+  return first == INT_MAX ? -1 : first;
+}
+
+/// Figures in the order of their first runs, then names: a later run adds lines and leaves those above it as
+/// they are, and a history in any order of its figures is one text. A run alone says all that holds, the
+/// whole file what changed.
 Lines lines_of(const History& h, int only) {
-  Lines out;
-  out.times = out.changes = std::vector<ordered_json>(h.runs.size(), ordered_json::array());
-  std::vector<int> order(h.figures.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](int f) -> const std::string& { return h.figures[f].name; });
+  Lines out(h.runs.size());
   const std::vector<Reading> all = only < 0 ? std::vector<Reading>{} : readings_at(h, only);
-  for (const int f : order) {
-    const int place = int(out.figures.size());
-    bool is_used = false;
+  std::vector<std::tuple<int, std::string_view, int>> order;
+  for (int f = 0; f < int(h.figures.size()); ++f)
+    if (const int first = first_of(h, f, only, all); first >= 0)
+      order.emplace_back(first, h.figures[f].name, f);
+  std::ranges::sort(order);
+  int place = 0;
+  for (const auto& [first, name, f] : order) {
+    const Figure& figure = h.figures[f];
+    out.figures[first].push_back(
+        {figure.name, figure.unit, to_string(figure.kind), to_string(figure.better), figure.formulation});
     for (const TimeAt& t : h.times[f]) {
       if (only >= 0 && t.run != only) continue;
       const auto kept = h.repetitions.find({t.run, f});
       out.times[t.run].push_back(
           time_json(place, t.time, kept == h.repetitions.end() ? nullptr : &kept->second));
-      is_used = true;
     }
-    for (const ReadingAt& c : h.changes[f]) {
-      if (only >= 0) break;
-      out.changes[c.run].push_back(reading_json(place, c.reading));
-      is_used = true;
-    }
-    if (only >= 0 && all[f].verdict != Verdict::gone) {
+    if (only < 0)
+      for (const ReadingAt& c : h.changes[f]) out.changes[c.run].push_back(reading_json(place, c.reading));
+    else if (all[f].verdict != Verdict::gone)
       out.changes[only].push_back(reading_json(place, all[f]));
-      is_used = true;
-    }
-    const Figure& figure = h.figures[f];
-    if (is_used)
-      out.figures.push_back(
-          {figure.name, figure.unit, to_string(figure.kind), to_string(figure.better), figure.formulation});
+    ++place;
   }
   return out;
 }
@@ -160,8 +174,11 @@ class Reader {
 };
 
 void read_line(const json& line, Reader& reader, const std::function<void(const Record&)>& sink) {
-  if (line.contains("schema") && (line.at("schema") != kSchema || line.at("version") != kLineVersion))
-    throw std::runtime_error(fmt::format("schema, version: not {}, {}", kSchema, kLineVersion));
+  if (line.contains("schema")) {
+    if (line.at("schema") != kSchema || line.at("version") != kLineVersion)
+      throw std::runtime_error(fmt::format("schema, version: not {}, {}", kSchema, kLineVersion));
+    reader = {};  // another history begins
+  }
   if (line.contains("figures"))
     reader.figures(line.at("figures"));
   else
@@ -172,9 +189,11 @@ void read_line(const json& line, Reader& reader, const std::function<void(const 
 
 std::string json_lines(const History& history, int only) {
   Lines lines = lines_of(history, only);
-  std::string out = line({{"schema", kSchema}, {"version", kLineVersion}, {"figures", lines.figures}});
-  for (int i = 0; i < int(history.runs.size()); ++i) {
-    if (only >= 0 && i != only) continue;
+  const int runs = int(history.runs.size()), begin = only < 0 ? 0 : only, end = only < 0 ? runs : only + 1;
+  ordered_json first = runs > 0 ? std::move(lines.figures[begin]) : ordered_json::array();
+  std::string out = line({{"schema", kSchema}, {"version", kLineVersion}, {"figures", std::move(first)}});
+  for (int i = begin; i < end; ++i) {
+    if (i > begin && !lines.figures[i].empty()) out += line({{"figures", std::move(lines.figures[i])}});
     ordered_json json = head(history.runs[i], history.series[history.runs[i].series]);
     json["times"] = std::move(lines.times[i]);
     json["changes"] = std::move(lines.changes[i]);
@@ -199,6 +218,23 @@ void read_lines(const std::string& text, const std::string& name,
     }
   }
   if (number == 0) throw reports::BadInput(name + ": empty");
+}
+
+bool is_lines(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string begin(64, '\0');
+  in.read(begin.data(), std::streamsize(begin.size()));
+  return begin.starts_with('{') && begin.find(kSchema) != std::string::npos;
+}
+
+History read_history(const std::filesystem::path& file) {
+  HistoryBuilder builder;
+  try {
+    read_lines(reports::read_file(file), file.string(), [&](const Record& run) { builder.add(run); });
+  } catch (const reports::FileError& error) {
+    throw reports::BadInput(error.what());
+  }
+  return std::move(builder.history);
 }
 
 }  // namespace halfway::history

@@ -1,6 +1,6 @@
 // halfway compare: two runs that are there, exact values.
 #include "reports/history/gate/commands.hpp"
-#include "reports/history/gate/record.hpp"
+#include "reports/history/gate/named.hpp"
 #include "reports/history/gate/told.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,15 +17,20 @@ struct CompareOptions {
 
 void run(const CompareOptions& options) {
   check(options.tell);
-  tell(compare(read_report(options.before), read_report(options.after)), options.tell);
+  const auto [before, after] = read_both(options.before, options.after);
+  tell(compare(before, after), options.tell);
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "What got worse between two reports: exit code 1");
-  command->add_option("before", options->before, "Folder of a report, or its results.json")->required();
+  CLI::App* command = app.add_subcommand("compare", "What got worse between two runs: exit code 1");
+  command
+      ->add_option("before", options->before,
+                   "Folder of a report, its results.json, or FILE@RUN: a history, exported (.jsonl) or not "
+                   "(.sqlite), and the number or commit of a run; without @RUN its last run made like AFTER")
+      ->required();
   command->add_option("after", options->after, "The same of the later one")->required();
   add_options(*command, options->tell);
   command->callback([options] { run(*options); });

@@ -14,9 +14,9 @@ struct Added {
   std::string note;  ///< what was left out and why; empty: nothing
 };
 
-/// results.json and bench.json (the latter may be missing: no repetitions then) of a report. Throws
-/// reports::BadInput that names file and field.
-Added read_report(const std::filesystem::path& folder);
+/// results.json and bench.json (the latter may be missing: no repetitions then) in the folder of a report, or
+/// a results.json alone. Throws reports::BadInput that names file and field.
+Added read_report(const std::filesystem::path& path);
 
 /// Repetitions of each benchmark, ps per joint or solve, and what Google Benchmark saw of the machine.
 struct Bench {

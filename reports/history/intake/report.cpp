@@ -155,8 +155,9 @@ Added record_of(const json& root, const Bench& bench, std::string& where) {
 
 }  // namespace
 
-Added read_report(const std::filesystem::path& folder) {
-  const auto file = folder / "results.json", bench_file = folder / "bench.json";
+Added read_report(const std::filesystem::path& path) {
+  const bool is_file = std::filesystem::is_regular_file(path);
+  const auto file = is_file ? path : path / "results.json", bench_file = path / "bench.json";
   std::string where = "no JSON";
   try {
     const json root = json::parse(reports::read_file(file));

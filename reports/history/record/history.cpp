@@ -1,6 +1,9 @@
 #include "reports/history/record/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace halfway::history {
 
@@ -51,6 +54,50 @@ Record record_at(const History& history, int run) {
                               kept == history.repetitions.end() ? Repetitions{} : kept->second};
   }
   return out;
+}
+
+int HistoryBuilder::series_of(const Series& series) {
+  const auto found = std::ranges::find(history.series, series);
+  const int place = int(found - history.series.begin());
+  if (found == history.series.end()) history.series.push_back(series), holds_.emplace_back();
+  return place;
+}
+
+int HistoryBuilder::figure_of(const Figure& figure) {
+  const auto [found, is_new] = places_.emplace(figure.name, int(history.figures.size()));
+  if (is_new) {
+    history.figures.push_back(figure);
+    history.times.emplace_back(), history.changes.emplace_back();
+  }
+  history.figures[found->second] = figure;  // the latest description counts
+  return found->second;
+}
+
+void HistoryBuilder::add(const Record& record) {
+  const int at = int(history.runs.size());
+  if (at > 0 && record.run.date < history.runs.back().date)
+    throw std::invalid_argument(
+        fmt::format("date {}: older than the run before it, {}; runs are by date (import takes any order)",
+                    record.run.date, history.runs.back().date));
+  const int series = series_of(record.series);
+  Run& run = history.runs.emplace_back(record.run);
+  run.id = at + 1, run.series = series;
+  for (const auto& [name, timed] : record.timed) {
+    const int f = figure_of(timed.figure);
+    history.times[f].push_back({at, timed.time});
+    if (!timed.repetitions.empty()) history.repetitions[{at, f}] = timed.repetitions;
+  }
+  const Reading gone{.verdict = Verdict::gone};
+  std::vector<Reading> now;
+  for (const auto& [name, exact] : record.exact) {
+    const std::size_t f = std::size_t(figure_of(exact.figure));
+    now.resize(std::max(now.size(), history.figures.size()), gone);
+    now[f] = exact.reading;
+  }
+  now.resize(history.figures.size(), gone), holds_[series].resize(now.size(), gone);
+  for (std::size_t f = 0; f < now.size(); ++f)
+    if (!same(now[f], holds_[series][f])) history.changes[f].push_back({at, now[f]});
+  holds_[series] = std::move(now);
 }
 
 }  // namespace halfway::history

@@ -44,4 +44,18 @@ int find_run(const History& history, const std::string& number_or_commit);
 /// One run as it entered: every figure that it has.
 Record record_at(const History& history, int run);
 
+/// The way back: runs in the order of their dates, numbered from 1.
+class HistoryBuilder {
+ public:
+  History history{};
+  /// Throws std::invalid_argument of a run that is older than the one before it.
+  void add(const Record& record);
+
+ private:
+  int series_of(const Series& series);
+  int figure_of(const Figure& figure);
+  std::map<std::string, int> places_{};        ///< of figures
+  std::vector<std::vector<Reading>> holds_{};  ///< in each series, of each figure
+};
+
 }  // namespace halfway::history

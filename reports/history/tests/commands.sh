@@ -33,6 +33,8 @@ expect 2 'no such file' history list
 expect 0 'run 1 is abc1' history add report --title "first one"
 expect 0 'run 1 is already abc1' history add report
 expect 0 'first one' history list
+expect 2 "date '2026-02-30'; allowed: UTC such as" history add report --date 2026-02-30
+expect 0 'is abc1, 2025-01-02T00:00:00Z' history add report --date 2025-01-02T00:00:00Z --file earlier.sqlite
 expect 0 'limit 1, fail' history show abc
 expect 0 'limit 1, fail' history show 1 --figure '^a'
 grep -q "$(printf '\033')" stdout && fail "a control character came through"

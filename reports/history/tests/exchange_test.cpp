@@ -1,5 +1,6 @@
 // What others read: no number that is none, names as text, and back again without a difference.
 #include "reports/history/exchange/exchange.hpp"
+#include "reports/history/exchange/lines.hpp"
 
 #include "reports/cli/errors.hpp"
 #include "reports/history/store/store.hpp"

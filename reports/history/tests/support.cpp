@@ -1,6 +1,6 @@
 #include "reports/history/tests/support.hpp"
 
-#include "reports/history/exchange/exchange.hpp"
+#include "reports/history/exchange/lines.hpp"
 #include "reports/history/store/store.hpp"
 #include "reports/views/files.hpp"
 

@@ -65,20 +65,33 @@ int starts(const fs::path& program) {
 
 nlohmann::json small_report() {
   const auto finding = [](const char* name, const char* comparison, double value, double low, double high) {
-    return nlohmann::json{
-        {"name", name}, {"comparison", comparison}, {"value", value}, {"expected", 1.0}, {"low", low},
-        {"high", high}, {"verdict", "pass"}};
+    return nlohmann::json{{"name", name},     {"formulation", ""}, {"unit", ""}, {"comparison", comparison},
+                          {"value", value},   {"expected", 1.0},   {"low", low}, {"high", high},
+                          {"verdict", "pass"}};
   };
-  return {
-      {"schema", "halfway-results"},
-      {"version", 1},
-      {"context",
-       {{"machine", "m"}, {"compiler", "g++"}, {"flags", "-O3"}, {"build_type", "Release"}, {"commit", "c"}}},
-      {"findings",
-       {finding("most", "at_most", 1e-14, 0, 1e-12), finding("equal", "equal", 1 + 1e-10, 0, 1e-8),
-        finding("least", "at_least", 5, 4, 0), finding("band", "within", 0.5, 0.4, 0.6),
-        finding("shown", "report", 7, 0, 0)}},
-      {"timings", {{{"name", "t"}, {"wrong", false}, {"ns", 50.0}, {"error", 1e-16}, {"flops", 306.5}}}}};
+  return {{"schema", "halfway-results"},
+          {"version", 1},
+          {"command", "./halfway report"},
+          {"context",
+           {{"machine", "m, 2 cores"},
+            {"compiler", "g++"},
+            {"flags", "-O3"},
+            {"build_type", "Release"},
+            {"commit", "c0ffee"},
+            {"date", "2026-01-02T03:04:05Z"}}},
+          {"findings",
+           {finding("most", "at_most", 1e-14, 0, 1e-12), finding("equal", "equal", 1 + 1e-10, 0, 1e-8),
+            finding("least", "at_least", 5, 4, 0), finding("band", "within", 0.5, 0.4, 0.6),
+            finding("shown", "report", 7, 0, 0)}},
+          {"timings",
+           {{{"name", "t"},
+             {"formulation", ""},
+             {"isa", "avx2"},
+             {"wrong", false},
+             {"ns", 50.0},
+             {"error", 1e-16},
+             {"flops", 306.5}}}},
+          {"curves", {{{"scene", "s"}, {"formulation", "f"}, {"xi", 0.5}, {"iterations", 20}}}}};
 }
 
 fs::path write_report(const fs::path& folder, const nlohmann::json& report) {

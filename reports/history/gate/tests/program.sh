@@ -67,10 +67,10 @@ grep -q 'measurements are there from before' err || fail "it did not go on"
 # Reports: kept by halfway-suite, which here copies one; the later has a finding less.
 report() {
   printf '#!/bin/sh\nmkdir -p "$3" && cat >"$3/results.json" <<TEXT\n%s\nTEXT\nexit 1\n' \
-    "{\"schema\":\"halfway-results\",\"version\":1,\"context\":{\"commit\":\"c\",\"machine\":\"m\",\"compiler\":\"g\",\"flags\":\"\",\"build_type\":\"r\"},\"findings\":[$2],\"timings\":[]}" >"$1/halfway-suite"
+    "{\"schema\":\"halfway-results\",\"version\":1,\"command\":\"r\",\"context\":{\"commit\":\"c\",\"date\":\"2026-01-02T03:04:05Z\",\"machine\":\"m\",\"compiler\":\"g\",\"flags\":\"\",\"build_type\":\"r\"},\"findings\":[$2],\"timings\":[],\"curves\":[]}" >"$1/halfway-suite"
   chmod +x "$1/halfway-suite"
 }
-finding() { echo "{\"name\":\"$1\",\"comparison\":\"report\",\"value\":1,\"verdict\":\"pass\"}"; }
+finding() { echo "{\"name\":\"$1\",\"formulation\":\"\",\"unit\":\"\",\"comparison\":\"report\",\"value\":1,\"expected\":0,\"low\":0,\"high\":0,\"verdict\":\"${2:-pass}\"}"; }
 gate base same --report; [ $? -eq 1 ] || fail "there is no report, and that passed"
 one_line 'no halfway-suite beside'
 report base "$(finding one),$(finding two)"
