@@ -45,11 +45,11 @@ BOOST_AUTO_TEST_CASE(up_and_down) {
 // What a step says is said of its neighbours as they are in the end, rounded times and dropped candidates or
 // not.
 BOOST_AUTO_TEST_CASE(neighbours) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    auto series = levels({100, 109, 104, 98, 120}, 70, seed);
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    auto series = levels({100, 103.5, 100, 104, 100, 103.2, 120}, 14, seed);
     for (double& x : series) x = std::round(10 * x) / 10;
     const auto found = find_steps(series);
-    BOOST_TEST(found.size() >= 3u);
+    BOOST_TEST(found.size() >= 1u);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const std::size_t from = i == 0 ? 0 : found[i - 1].at;
       const std::size_t to = i + 1 == found.size() ? series.size() : found[i + 1].at;
