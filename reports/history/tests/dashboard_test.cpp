@@ -28,7 +28,7 @@ std::string unpacked(const std::string& base64) {
   }
   std::string out(1 << 20, '\0');
   z_stream stream{};
-  BOOST_REQUIRE(::inflateInit2(&stream, -15) == Z_OK);
+  BOOST_REQUIRE(::inflateInit2(&stream, 15) == Z_OK);
   stream.next_in = reinterpret_cast<Bytef*>(bytes.data()), stream.avail_in = unsigned(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data()), stream.avail_out = unsigned(out.size());
   BOOST_REQUIRE(::inflate(&stream, Z_FINISH) == Z_STREAM_END);
@@ -115,6 +115,23 @@ BOOST_AUTO_TEST_CASE(a_time_has_an_entry_a_run) {
   BOOST_TEST(s[0].at("v") == json({200, 200.1, nullptr}));  // 200.037 and 200.074 to four digits
   BOOST_TEST(s[0].at("l") == json({198, 198.1, nullptr}));
   BOOST_TEST(s[1].at("v").size() == 1);
+}
+
+/// Of a long history least and largest repetitions are those of the last 200 runs.
+BOOST_AUTO_TEST_CASE(the_spread_of_the_last_runs) {
+  History h;
+  h.series.emplace_back();
+  h.figures = {{.name = "t", .kind = Kind::time}};
+  h.times.resize(1), h.changes.resize(1);
+  for (int run = 0; run < 203; ++run) {
+    h.runs.emplace_back();
+    h.times[0].push_back({run, {.median = 1000 * (run + 1), .low = 1000, .high = 2000, .n = 5}});
+  }
+  const json s = json::parse(figure_json(h, 0)).at("s")[0];
+  BOOST_TEST(s.at("v").size() == 203);
+  BOOST_TEST(s.at("l").size() == 200);
+  BOOST_TEST(s.at("l")[0] == 4);
+  BOOST_TEST(s.at("h").back() == 406);
 }
 
 BOOST_AUTO_TEST_CASE(other_figures_have_their_changes) {

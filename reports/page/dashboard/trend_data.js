@@ -22,7 +22,9 @@ export const blockFault =
     for (const {series, r, v, l, h, limit, verdict} of s ?? []) {
       const runs = r ?? history.series[series]?.runs;
       if (!runs) return `it names the series ${series}, of ${history.series.length}`;
-      const bad = [v, l, h, limit, verdict].find((column) => column && column.length !== runs.length);
+      const bad =
+        [v, limit, verdict].find((column) => column && column.length !== runs.length) ??
+        [l, h].find((column) => column && column.length > runs.length);
       if (bad) return `${bad.length} values for ${runs.length} runs`;
     }
     return Array.isArray(s) ? '' : 'it holds no values';
@@ -45,7 +47,8 @@ export function trendOf(stretch, runs, holds) {
       if (holds || measured[i] === run) at[n] = i;
     });
   } else if (stretch) at.forEach((_, n) => (at[n] = n));
-  const spread = (column) => Array.from(at, (i) => column?.[i] ?? null);
+  const total = stretch?.v.length ?? 0;
+  const spread = (column) => Array.from(at, (i) => column?.[i - total + column.length] ?? null);
   return {
     runs,
     ...{value: spread(columns.value), low: spread(columns.low)},

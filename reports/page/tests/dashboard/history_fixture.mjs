@@ -58,8 +58,7 @@ const verdictOf = (spec, value) =>
 /** A stretch of the contract. spreadLast: of how many last runs low and high are kept. @param {Spec} spec */
 function stretchOf(spec, series, runs, values, spreadLast) {
   if (spec.kind === 'time') {
-    const edge = (sign) =>
-      values.map((v, n) => (n >= runs.length - spreadLast ? round(v * (1 + sign * kSpread)) : null));
+    const edge = (sign) => values.slice(-spreadLast).map((v) => round(v * (1 + sign * kSpread)));
     return {series, r: null, v: values, l: edge(-1), h: edge(1)};
   }
   const at = [...values.keys()].filter((n) => n === 0 || values[n] !== values[n - 1]);
