@@ -18,8 +18,8 @@ std::string all_digits(double x) { return std::isfinite(x) ? fmt::format("{}", x
 
 std::string list(const std::vector<std::string>& items) { return fmt::format("[{}]", fmt::join(items, ",")); }
 
-/// A row a run of the series, measured or not; least and largest repetitions of the last runs alone: those of all
-/// would be two thirds of a large page.
+/// A row a run of the series, measured or not; least and largest repetitions of the last runs alone: those of
+/// all would be two thirds of a large page.
 std::string times_json(const History& h, int figure, int series, const std::vector<int>& runs) {
   std::vector<std::string> v, l, row_h;
   const auto& times = h.times[figure];

@@ -115,7 +115,10 @@ const quoted = (/** @type {unknown} */ x) => {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 };
 
-/** RFC 4180, one line a run.
+/** RFC 4180. @param {unknown[][]} rows */
+export const csvText = (rows) => rows.map((cells) => `${cells.map(quoted).join(',')}\r\n`).join('');
+
+/** One line a run.
  * @param {import('./history_data.js').History} history @param {number} figure @param {Trend} trend
  */
 export function csvOf(history, figure, trend) {
@@ -130,7 +133,7 @@ export function csvOf(history, figure, trend) {
     title[run],
     ...[trend.value[n], trend.low[n], trend.high[n], trend.limit[n], trend.verdict[n]]
   ]);
-  return [head, ...lines].map((cells) => `${cells.map(quoted).join(',')}\r\n`).join('');
+  return csvText([head, ...lines]);
 }
 
 /** One median for each of `columns` equal parts, in the middle of it: {n, value}, value null where there is none.
