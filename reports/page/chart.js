@@ -5,14 +5,11 @@ import {compile} from 'vega-lite';
 import {Handler} from 'vega-tooltip';
 import {account} from './account.js';
 import {h} from './dom.js';
-import {superscript} from './format.js';
+import {powerOfTen} from './format.js';
 
 /** @typedef {Record<string, any>} Spec  of Vega or Vega-Lite */
 
-expressionFunction('power10', (/** @type {number} */ x) => {
-  const exponent = Math.log10(x);
-  return Math.abs(exponent - Math.round(exponent)) < 1e-9 ? `10${superscript(Math.round(exponent))}` : '';
-});
+expressionFunction('power10', powerOfTen);
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 const config = {

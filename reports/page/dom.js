@@ -227,8 +227,9 @@ export const section = (id, title, content, cls = id) =>
     content
   );
 
-/** What is there for those who ask. */
-export const folded = (title, content) => h('details', {class: 'more'}, h('summary', {}, title), content);
+/** What is there for those who ask; `opened` is told when they do. */
+export const folded = (title, content, opened) =>
+  h('details', {class: 'more', ontoggle: opened}, h('summary', {}, title), content);
 
 /** A table that scrolls sideways by itself on narrow screens. */
 export function scrolling(table, label) {

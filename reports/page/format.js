@@ -29,6 +29,15 @@ function plain(x, digits) {
   return String(Number(x.toPrecision(Math.max(digits, least)))).replace('-', '−');
 }
 
+/** 10⁻⁵ of 0.00001, '' of what is no power of ten.
+ * @param {number} x
+ */
+export function powerOfTen(x) {
+  const exponent = Math.log10(x);
+  const whole = Math.round(exponent);
+  return Math.abs(exponent - whole) < 1e-9 ? `10${superscript(whole)}` : '';
+}
+
 /** 1.2·10⁻⁵, or plain digits where these are shorter.
  * @param {unknown} x
  */

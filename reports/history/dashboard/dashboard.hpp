@@ -27,7 +27,7 @@ std::string index_json(const History& history, const std::vector<Change>& change
 /// One figure: times a row a run, others where they changed.
 std::string figure_json(const History& history, int figure);
 
-/// Base64 of the deflated text, without zlib's header.
+/// Base64 of the deflated text, with zlib's header and checksum.
 std::string packed(const std::string& text);
 
 /// The template's one placeholder filled. Throws reports::BadInput that names the file.

@@ -18,7 +18,8 @@ std::string all_digits(double x) { return std::isfinite(x) ? fmt::format("{}", x
 
 std::string list(const std::vector<std::string>& items) { return fmt::format("[{}]", fmt::join(items, ",")); }
 
-/// A row a run of the series, measured or not.
+/// A row a run of the series, measured or not; least and largest repetitions of the last runs alone: those of
+/// all would be two thirds of a large page.
 std::string times_json(const History& h, int figure, int series, const std::vector<int>& runs) {
   std::vector<std::string> v, l, row_h;
   const auto& times = h.times[figure];
@@ -27,8 +28,9 @@ std::string times_json(const History& h, int figure, int series, const std::vect
     while (at != times.end() && at->run < runs[i]) ++at;
     const bool is_there = at != times.end() && at->run == runs[i], is_late = i + kSpreadKept >= runs.size();
     v.push_back(is_there ? four_digits(at->time.ns()) : "null");
-    l.push_back(is_there && is_late ? four_digits(at->time.low_ns()) : "null");
-    row_h.push_back(is_there && is_late ? four_digits(at->time.high_ns()) : "null");
+    if (!is_late) continue;
+    l.push_back(is_there ? four_digits(at->time.low_ns()) : "null");
+    row_h.push_back(is_there ? four_digits(at->time.high_ns()) : "null");
   }
   return fmt::format(R"({{"series":{},"r":null,"v":{},"l":{},"h":{}}})", series, list(v), list(l),
                      list(row_h));

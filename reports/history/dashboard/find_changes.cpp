@@ -20,13 +20,14 @@ std::vector<Item> of_series(const History& history, const std::vector<Item>& all
   return out;
 }
 
-void add(std::vector<Change>& out, const std::vector<statistics::Change>& found, int figure, int series,
-         const auto& runs) {
+void add(std::vector<Change>& out, const std::vector<statistics::Change>& found, const History& history,
+         int figure, int series, const auto& runs) {
+  const bool is_count = history.figures[figure].kind == Kind::count;
   for (const statistics::Change& c : found) {
     if (c.sense == statistics::Sense::change) continue;
     const bool is_regression = c.sense == statistics::Sense::regression;
-    out.push_back({figure, series, runs[c.run].run, c.before, c.after, is_regression, c.ratio, c.digits,
-                   c.chance, c.text});
+    out.push_back({figure, series, runs[c.run].run, c.before, c.after, is_regression,
+                   is_count ? c.after / c.before : c.ratio, c.digits, c.chance, c.text});
   }
 }
 
@@ -40,7 +41,7 @@ std::vector<Change> find_changes(const History& history) {
       std::vector<double> medians;
       for (const TimeAt& t : times) medians.push_back(t.time.ns());
       if (medians.size() > 1)
-        add(out, statistics::find_changes(std::span<const double>(medians)), f, s, times);
+        add(out, statistics::find_changes(std::span<const double>(medians)), history, f, s, times);
       const auto changes = of_series(history, history.changes[f], s);
       std::vector<Exact> readings;
       for (const ReadingAt& c : changes) {
@@ -49,7 +50,7 @@ std::vector<Change> find_changes(const History& history) {
         if (is_gone) readings.back().value = readings.back().error = kNone;
       }
       if (readings.size() > 1)
-        add(out, statistics::find_changes(std::span<const Exact>(readings)), f, s, changes);
+        add(out, statistics::find_changes(std::span<const Exact>(readings)), history, f, s, changes);
     }
   }
   std::ranges::stable_sort(out, {}, &Change::run);

@@ -81,13 +81,14 @@ ordered_json latest_of(const History& h, int series) {
   return {{"run", run}, {"value", value}, {"limit", limit}, {"verdict", verdict}};
 }
 
-ordered_json changes_json(const std::vector<Change>& changes) {
-  return column(changes, [](const Change& c) {
+ordered_json changes_json(const History& h, const std::vector<Change>& changes) {
+  return column(changes, [&](const Change& c) {
+    const auto value = h.figures[c.figure].kind == Kind::time ? rounded : number;
     return ordered_json{{"figure", c.figure},
                         {"series", c.series},
                         {"run", c.run},
-                        {"before", rounded(c.before)},
-                        {"after", rounded(c.after)},
+                        {"before", value(c.before)},
+                        {"after", value(c.after)},
                         {"verdict", c.is_regression ? "regression" : "improvement"},
                         {"ratio", rounded(c.ratio)},
                         {"digits", rounded(c.digits)},
@@ -138,7 +139,7 @@ std::string index_json(const History& h, const std::vector<Change>& changes, con
   add_columns(out, h);
   ordered_json& latest = out["latest"] = ordered_json::array();
   for (int s = 0; s < int(h.series.size()); ++s) latest.push_back(latest_of(h, s));
-  out["changes"] = changes_json(changes);
+  out["changes"] = changes_json(h, changes);
   out["pairs"] = pairs_json(h);
   return out.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -44,9 +44,7 @@ class Search {
     drop_weak();
     place();
     drop_weak();
-    std::vector<Step> out;
-    for (std::size_t i = 0; i < cuts_.size(); ++i) out.push_back(step(i));
-    return out;
+    return steps_;
   }
 
  private:
@@ -64,30 +62,40 @@ class Search {
   void split(std::size_t from, std::size_t to) {
     if (to - from < 2) return;
     const std::size_t cut = from + best_cut(Series(clipped_).subspan(from, to - from));
-    if (cut == from || !(chance(from, cut, to) < 10 * rules_.chance)) return;
+    if (cut == from) return;
+    const double chance = chance_of_difference(raw_.subspan(from, cut - from), raw_.subspan(cut, to - cut));
+    if (!(chance < 10 * rules_.chance)) return;
     split(from, cut);
     cuts_.push_back(cut);
     split(cut, to);
   }
 
+  /// Second pass, between neighbours: the least likely goes first, then the smallest.
   void drop_weak() {
-    while (drop_weakest()) {
+    levels_.clear(), steps_.clear();
+    for (std::size_t i = 0; i <= cuts_.size(); ++i) levels_.push_back(level(i));
+    for (std::size_t i = 0; i < cuts_.size(); ++i) steps_.push_back(step(i));
+    for (std::size_t i = weakest(); i < cuts_.size(); i = weakest()) {
+      std::vector<double> both;
+      std::ranges::merge(levels_[i], levels_[i + 1], std::back_inserter(both));
+      levels_[i] = std::move(both);
+      levels_.erase(levels_.begin() + std::ptrdiff_t(i) + 1);
+      cuts_.erase(cuts_.begin() + std::ptrdiff_t(i)), steps_.erase(steps_.begin() + std::ptrdiff_t(i));
+      if (i > 0) steps_[i - 1] = step(i - 1);
+      if (i < cuts_.size()) steps_[i] = step(i);
     }
   }
 
-  /// Second pass, between neighbours: the least likely goes first, then the smallest.
-  bool drop_weakest() {
-    if (cuts_.empty()) return false;
-    std::vector<Step> steps;
-    for (std::size_t i = 0; i < cuts_.size(); ++i) steps.push_back(step(i));
+  /// Which step has to go; the number of steps where none has.
+  std::size_t weakest() const {
+    if (steps_.empty()) return 0;
     const auto size = [](const Step& s) { return std::abs(std::log(s.after / s.before)); };
-    auto weakest = std::ranges::max_element(steps, {}, &Step::chance);
+    auto weakest = std::ranges::max_element(steps_, {}, &Step::chance);
     if (weakest->chance < rules_.chance) {
-      weakest = std::ranges::min_element(steps, {}, size);
-      if (size(*weakest) > std::log1p(rules_.magnitude)) return false;
+      weakest = std::ranges::min_element(steps_, {}, size);
+      if (size(*weakest) > std::log1p(rules_.magnitude)) return steps_.size();
     }
-    cuts_.erase(cuts_.begin() + (weakest - steps.begin()));
-    return true;
+    return std::size_t(weakest - steps_.begin());
   }
 
   /// Among the neighbours that are left, each where most runs lie on their own side of the middle between
@@ -95,8 +103,8 @@ class Search {
   /// slow run more often than a fast one.
   void place() {
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
-      const Step s = step(i);
-      const double middle = (s.before + s.after) / 2, half = (s.after - s.before) / 2;
+      const double low = median(left(i)), high = median(right(i));
+      const double middle = (low + high) / 2, half = (high - low) / 2;
       double sum = 0, least = 0;
       for (std::size_t run = before(i), to = after(i); run + 1 < to; ++run) {
         sum += std::clamp((raw_[run] - middle) / half, -kFull, kFull);
@@ -108,20 +116,27 @@ class Search {
   std::size_t before(std::size_t i) const { return i == 0 ? 0 : cuts_[i - 1]; }
   std::size_t after(std::size_t i) const { return i + 1 == cuts_.size() ? raw_.size() : cuts_[i + 1]; }
 
-  double chance(std::size_t from, std::size_t cut, std::size_t to) const {
-    return chance_of_difference(raw_.subspan(from, cut - from), raw_.subspan(cut, to - cut));
+  Series left(std::size_t i) const { return raw_.subspan(before(i), cuts_[i] - before(i)); }
+  Series right(std::size_t i) const { return raw_.subspan(cuts_[i], after(i) - cuts_[i]); }
+
+  std::vector<double> level(std::size_t i) const {
+    const Series runs = i < cuts_.size() ? left(i) : raw_.subspan(before(i));
+    std::vector<double> out(runs.begin(), runs.end());
+    std::ranges::sort(out);
+    return out;
   }
 
   Step step(std::size_t i) const {
-    const std::size_t from = before(i), cut = cuts_[i], to = after(i);
-    return {cut, median(raw_.subspan(from, cut - from)), median(raw_.subspan(cut, to - cut)),
-            chance(from, cut, to)};
+    const Series first = levels_[i], second = levels_[i + 1];
+    return {cuts_[i], median(first), median(second), chance_of_difference(first, second)};
   }
 
   Series raw_;
   std::vector<double> clipped_;
   StepRules rules_;
-  std::vector<std::size_t> cuts_;  ///< rising
+  std::vector<std::size_t> cuts_;            ///< rising
+  std::vector<std::vector<double>> levels_;  ///< the runs between cuts, sorted
+  std::vector<Step> steps_;                  ///< at the cuts, since weak ones were last dropped
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string unpacked(const std::string& base64) {
   }
   std::string out(1 << 20, '\0');
   z_stream stream{};
-  BOOST_REQUIRE(::inflateInit2(&stream, -15) == Z_OK);
+  BOOST_REQUIRE(::inflateInit2(&stream, 15) == Z_OK);
   stream.next_in = reinterpret_cast<Bytef*>(bytes.data()), stream.avail_in = unsigned(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data()), stream.avail_out = unsigned(out.size());
   BOOST_REQUIRE(::inflate(&stream, Z_FINISH) == Z_STREAM_END);
@@ -117,6 +117,23 @@ BOOST_AUTO_TEST_CASE(a_time_has_an_entry_a_run) {
   BOOST_TEST(s[1].at("v").size() == 1);
 }
 
+/// Of a long history least and largest repetitions are those of the last 200 runs.
+BOOST_AUTO_TEST_CASE(the_spread_of_the_last_runs) {
+  History h;
+  h.series.emplace_back();
+  h.figures = {{.name = "t", .kind = Kind::time}};
+  h.times.resize(1), h.changes.resize(1);
+  for (int run = 0; run < 203; ++run) {
+    h.runs.emplace_back();
+    h.times[0].push_back({run, {.median = 1000 * (run + 1), .low = 1000, .high = 2000, .n = 5}});
+  }
+  const json s = json::parse(figure_json(h, 0)).at("s")[0];
+  BOOST_TEST(s.at("v").size() == 203);
+  BOOST_TEST(s.at("l").size() == 200);
+  BOOST_TEST(s.at("l")[0] == 4);
+  BOOST_TEST(s.at("h").back() == 406);
+}
+
 BOOST_AUTO_TEST_CASE(other_figures_have_their_changes) {
   const std::string page = page_of(small());
   const json index = block(page, "index");
@@ -130,7 +147,8 @@ BOOST_AUTO_TEST_CASE(other_figures_have_their_changes) {
   BOOST_TEST(!block(page, fmt::format("f{}", number(index, "ops"))).at("s")[0].contains("limit"));
 }
 
-/// A time 20 % slower, an error of two digits more, a figure that is gone; a series beside it stays as it is.
+/// A time 20 % slower, an error of four digits more, a count of one more, a figure that is gone; a series
+/// beside it stays as it is.
 BOOST_AUTO_TEST_CASE(changes_are_marked_where_they_are) {
   const TemporaryFolder folder;
   std::vector<Record> records;
@@ -142,14 +160,16 @@ BOOST_AUTO_TEST_CASE(changes_are_marked_where_they_are) {
       timed.time.median = 100000 + 100 * (i * 7 % 11);  // within 1 %
       if (is_late && name == "t1") timed.time.median = timed.time.median * 12 / 10;
     }
-    if (is_late) one.exact.at("e1").reading.value *= 1e4;
+    if (is_late) one.exact.at("e1").reading.value *= 12345.678;
+    one.exact["ops"] = {{.name = "ops", .kind = Kind::count, .better = Better::down},
+                        {.value = is_late ? 123457.0 : 123456.0}};
     if (is_late) one.exact.erase("e2");
     records.push_back(one);
   }
   keep(folder / "h", records);
   const History history = load(folder / "h");
   const std::vector<Change> changes = find_changes(history);
-  BOOST_REQUIRE(changes.size() == 3);
+  BOOST_REQUIRE(changes.size() == 4);
   for (const Change& c : changes) {
     BOOST_TEST(c.run == 30);
     BOOST_TEST(c.series == history.runs[30].series);
@@ -157,9 +177,18 @@ BOOST_AUTO_TEST_CASE(changes_are_marked_where_they_are) {
     const std::string& name = history.figures[c.figure].name;
     if (name == "t1") BOOST_TEST(std::abs(c.ratio - 1.2) < 0.01);
     if (name == "e1") BOOST_TEST(c.digits < -1);
+    if (name == "ops") BOOST_TEST(c.ratio == 123457.0 / 123456.0);
     if (name == "e2") BOOST_TEST(c.text.find("not measured") != std::string::npos, c.text);
   }
-  const json shown = json::parse(index_json(history, changes, "", "")).at("changes")[0];
+  const json all = json::parse(index_json(history, changes, "", "")).at("changes");
+  for (const json& c : all) {
+    const std::string& name = history.figures[c.at("figure")].name;
+    if (name == "t1")
+      BOOST_TEST(fmt::format("{}", c.at("before").get<double>()).size() <= 5u);  // four digits
+    if (name == "e1") BOOST_TEST(c.at("after").get<double>() == 2e-15 * 12345.678);
+    if (name == "ops") BOOST_TEST(c.at("after") == 123457);
+  }
+  const json& shown = all[0];
   for (const char* key :
        {"figure", "series", "run", "before", "after", "verdict", "ratio", "digits", "p", "text"})
     BOOST_TEST(shown.contains(key), key);

@@ -40,6 +40,22 @@ valid() {
 jsonschema.Draft7Validator(json.loads(sys.argv[1])).validate(json.load(open(sys.argv[2])))' "$1" "$2" 2> /dev/null
 }
 
+# valid_by_ajv SCHEMA FILE: as Bencher's own console checks it. The packages are those of the page's checks.
+ajv_modules=$here/../../page/package.json
+valid_by_ajv() {
+  node -e 'const Ajv = require("node:module").createRequire(process.argv[1])("ajv");
+const valid = new Ajv({strict: true}).compile(JSON.parse(process.argv[2]));
+process.exit(valid(JSON.parse(require("node:fs").readFileSync(process.argv[3], "utf8"))) ? 0 : 1)' "$ajv_modules" "$1" "$2" 2> "$folder/err"
+}
+
+# Bencher's, as its console has it, and the five fields of github-action-benchmark.
+bmf_schema='{"type":"object","additionalProperties":{"type":"object","additionalProperties":{"type":"object","required":["value"],
+  "properties":{"value":{"type":"number"},"lower_value":{"type":"number"},"upper_value":{"type":"number"}},"additionalProperties":false}}}'
+github_schema='{"type":"array","minItems":1,"items":{"type":"object","required":["name","value","unit"],"additionalProperties":false,
+  "properties":{"name":{"type":"string"},"value":{"type":"number"},"unit":{"type":"string"},"range":{"type":"string"},"extra":{"type":"string"}}}}'
+spoilt_bmf() { sed 's/310.0/null/' "$1"; }
+spoilt_github() { sed 's/"value": [0-9.e-]*/"value": null/' "$1"; }
+
 kept "$folder/base.sqlite" 1000
 out=$folder/out
 case $reader in
@@ -87,29 +103,38 @@ PYTHON
     sed 's/<Value>/<Number>/; s/<.Value>/<\/Number>/' "$xml" > "$folder/spoilt"
     xmllint --noout --schema "$here/xsd/Test.xsd" "$folder/spoilt" 2> /dev/null && fail "the schema takes anything"
     ;;
-  bmf) # Bencher's schema, as its console has it
+  bmf)
     needs_module jsonschema python3-jsonschema
-    schema='{"type":"object","additionalProperties":{"type":"object","additionalProperties":{"type":"object","required":["value"],
-      "properties":{"value":{"type":"number"},"lower_value":{"type":"number"},"upper_value":{"type":"number"}},"additionalProperties":false}}}'
     export_as "$folder/base.sqlite" bmf "$out"
-    valid "$schema" "$out" || fail "not valid"
+    valid "$bmf_schema" "$out" || fail "not valid"
     "$python" -c 'import json, sys
 all = json.load(open(sys.argv[1]))
 assert all["t/2"]["latency"] == {"value": 310, "lower_value": 306.9, "upper_value": 313.1}, all
 assert abs(all["<e> & \"1\", x"]["digits"]["value"] - 15) < 1e-9 and all["ops"]["count"]["value"] == 334, all
 assert "f/none" not in all' "$out" || fail "other values"
-    sed 's/310.0/null/' "$out" > "$folder/spoilt"
-    valid "$schema" "$folder/spoilt" && fail "the schema takes anything"
+    spoilt_bmf "$out" > "$folder/spoilt"
+    valid "$bmf_schema" "$folder/spoilt" && fail "the schema takes anything"
     ;;
-  github) # the five fields of github-action-benchmark
+  github)
     needs_module jsonschema python3-jsonschema
-    schema='{"type":"array","minItems":1,"items":{"type":"object","required":["name","value","unit"],"additionalProperties":false,
-      "properties":{"name":{"type":"string"},"value":{"type":"number"},"unit":{"type":"string"},"range":{"type":"string"},"extra":{"type":"string"}}}}'
     export_as "$folder/base.sqlite" github "$out"
-    valid "$schema" "$out" || fail "not valid"
+    valid "$github_schema" "$out" || fail "not valid"
     grep -q '"f/none"' "$out" && fail "a number that is none is there"
-    sed 's/"value": [0-9.e-]*/"value": null/' "$out" > "$folder/spoilt"
-    valid "$schema" "$folder/spoilt" && fail "the schema takes anything"
+    spoilt_github "$out" > "$folder/spoilt"
+    valid "$github_schema" "$folder/spoilt" && fail "the schema takes anything"
+    ;;
+  ajv) # both again, by ajv
+    command -v node > /dev/null || left_out "node (Debian: nodejs)"
+    [ -e "$here/../../page/node_modules/ajv/package.json" ] || left_out "ajv (npm ci in reports/page, as its check.sh does)"
+    for form in bmf github; do
+      schema=$bmf_schema
+      [ "$form" = bmf ] || schema=$github_schema
+      export_as "$folder/base.sqlite" "$form" "$out"
+      valid_by_ajv "$schema" "$out" || fail "$form is not valid: $(tail -n 3 "$folder/err")"
+      "spoilt_$form" "$out" > "$folder/spoilt"
+      valid_by_ajv "$schema" "$folder/spoilt" && fail "the schema of $form takes anything"
+      [ -s "$folder/err" ] && fail "ajv: $(head -n 3 "$folder/err")"
+    done
     ;;
   openmetrics) # Prometheus' parser
     needs_module prometheus_client python3-prometheus-client

@@ -15,7 +15,9 @@ const formatOf = ([first, second]) =>
 
 /** @param {string} base64 @returns {Promise<any>} */
 export async function unpack(base64) {
-  const bytes = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
+  const text = atob(base64.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i); // Uint8Array.from takes ten times as long
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(formatOf(bytes)));
   return JSON.parse(await new Response(stream).text());
 }

@@ -1,10 +1,10 @@
 // What got worse, since when, and how sure that is.
 import {choice, h} from '../dom.js';
-import {plural} from '../format.js';
+import {full, isNumber, plural} from '../format.js';
 import {isOpen} from './history_data.js';
 import {amountMark, figureLink, growingTable, nothing, runWords} from './pieces.js';
 import {SHOWN} from './place.js';
-import {amount, runsSince, sure, withUnit} from './words.js';
+import {amount, fromTo, runsSince, sure, SURE_NOTE, told} from './words.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 /** @typedef {import('./history_data.js').Story} Story */
@@ -31,15 +31,15 @@ function row(app, c) {
     [
       amountMark(c),
       history.fails(c) ? h('span', {class: 'aside worse'}, 'fails now') : null,
-      c.text ? h('span', {class: 'aside'}, c.text) : null
+      h('span', {class: 'aside', title: c.text}, told(c.text))
     ],
-    `${withUnit(c.before, '')} → ${withUnit(c.after, unit)}`,
+    h('span', {title: `${full(c.before)} → ${full(c.after)}`}, fromTo(c, unit)),
     [
       runWords(app, c.run),
       h('span', {class: 'aside'}, `${history.day(c.run)}, ${runsSince(history, c)} with it`),
       mended
     ],
-    h('span', {class: 'whole'}, sure(c)),
+    h('span', {class: 'whole', title: isNumber(c.p) ? `p = ${full(c.p)}` : null}, sure(c)),
     sparks.of(c.figure, c.series)
   ];
   return cells;
@@ -102,7 +102,11 @@ export function changesSection(app) {
   const wanted = (/** @type {Story} */ c) => place.show === 'all' || c.verdict === place.show;
   const list = () => {
     const found = history.changesOf(place.series.number, wanted);
-    box.replaceChildren(found.length ? changesTable(app, 'Changes', found) : nothing(NONE[place.show]));
+    box.replaceChildren(
+      ...(found.length
+        ? [changesTable(app, 'Changes', found), h('p', {class: 'note'}, SURE_NOTE)]
+        : [nothing(NONE[place.show])])
+    );
   };
   const body = h('div');
   const show = () => {

@@ -24,12 +24,20 @@ export function chooser(app) {
     'aria-label': 'Figures',
     onchange: () => app.go({figure: Number(list.value)})
   });
+  let listed = '';
   const fill = () => {
+    const {name} = history.figures;
+    const key = JSON.stringify([wanted, place.series.number]);
+    const known = [...list.options].find((o) => Number(o.value) === place.figure);
+    if (key === listed && known) {
+      known.selected = true;
+      return;
+    }
+    listed = key;
     const found = history.find({...wanted, series: place.series.number});
     const first = found.slice(0, kListed);
     const isFar = found.includes(place.figure) && !first.includes(place.figure);
     const shown = isFar ? [place.figure, ...first] : first;
-    const {name} = history.figures;
     list.replaceChildren(
       ...shown.map((i) => h('option', {value: i, selected: i === place.figure, title: name[i]}, name[i]))
     );

@@ -42,8 +42,8 @@ function follow(app, sections, said) {
   };
   app.go = ({figure}) => {
     place.figure = figure;
-    place.write();
     showSome(['trend']);
+    place.write(); // takes as long as drawing: while the data are inflated
   };
   window.addEventListener('hashchange', () => {
     if (location.hash.includes('=')) {

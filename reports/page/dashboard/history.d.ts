@@ -68,7 +68,8 @@ export interface Index {
 }
 
 /** One figure in one series. Times: one entry a run (r null: every run of the series). Others: only the runs at
- * which the value changed; it holds until the next. v null: not measured, or gone. */
+ * which the value changed; it holds until the next. v null: not measured, or gone. l and h may be shorter: they are
+ * of the last runs. */
 export interface Stretch {
   series: number;
   r: number[] | null;

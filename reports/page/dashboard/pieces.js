@@ -8,15 +8,23 @@ import {amount, MARKS} from './words.js';
 
 const symbolOf = (/** @type {string} */ formulation) => swatch({...look(formulation), dash: undefined});
 
+/** A name that breaks behind its slashes and underscores first. @param {string} name */
+export const nameCode = (name) =>
+  h(
+    'code',
+    {},
+    name.split(/(?<=[/_])/).flatMap((part, i) => (i ? [h('wbr'), part] : [part]))
+  );
+
 /** A formulation with its symbol. @param {string} name */
-export const formulationName = (name) => h('span', {class: 'name'}, symbolOf(name), h('code', {}, name));
+export const formulationName = (name) => h('span', {class: 'name'}, symbolOf(name), nameCode(name));
 
 /** A figure's name as a link to its trend, with the symbol of its formulation.
  * @param {App} app @param {number} figure
  */
 export function figureLink({history, place}, figure) {
   const {name, formulation} = history.figures;
-  const link = h('a', {href: place.linkTo(figure)}, h('code', {}, name[figure]));
+  const link = h('a', {href: place.linkTo(figure)}, nameCode(name[figure]));
   return h('span', {class: 'name'}, formulation[figure] ? symbolOf(formulation[figure]) : '', link);
 }
 

@@ -1,6 +1,6 @@
 // A chart's frame: axes, their labels, and a picture that can be taken away.
 import {svg} from '../dom.js';
-import {short, superscript} from '../format.js';
+import {powerOfTen, short} from '../format.js';
 
 /** @typedef {import('./scale.js').Scale} Scale */
 /** @typedef {{width: number, height: number, left: number, right: number, top: number, bottom: number}} Frame */
@@ -35,10 +35,9 @@ export const picture = ({width, height}, label) =>
 
 /** In as many digits as it has. @param {number} t @param {boolean} isLog */
 function tickText(t, isLog) {
-  const exponent = Math.log10(t);
-  const isDecade = isLog && Number.isInteger(exponent) && (exponent < -2 || exponent > 3);
+  const isFar = isLog && (t < 0.009 || t > 2e3);
   const digits = t.toExponential(5).replace(/0*e.*|[-.]/g, '').length;
-  return isDecade ? `10${superscript(exponent)}` : short(t, Math.max(digits, 1));
+  return (isFar && powerOfTen(t)) || short(t, Math.max(digits, 1));
 }
 
 /** Horizontal lines with their values, and what they are, above. @param {Frame} frame @param {Scale} y */

@@ -38,8 +38,8 @@ function logTicks(low, high) {
   return Array.from({length: count}, (_, i) => Number(`1e${first + i * every}`));
 }
 
-/** @param {number[]} values */
-const ends = (values) =>
+/** Least and greatest. @param {number[]} values */
+export const ends = (values) =>
   values.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
 
 /** @param {number[]} values */

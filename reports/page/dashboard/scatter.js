@@ -1,12 +1,12 @@
 // Accuracy against speed of each formulation, at any run.
 import {kindLabel, KINDS} from '../data/accuracy_data.js';
-import {choice, h, PATHS, plainTable, svg} from '../dom.js';
-import {plural, short} from '../format.js';
+import {choice, download, h, PATHS, plainTable, svg} from '../dom.js';
+import {full, plural, short} from '../format.js';
 import {look} from '../palette.js';
 import {formulationName, nothing, runSlider, runWords} from './pieces.js';
-import {frameOf, picture, text, xAxis, xTicks, yAxis} from './plot.js';
+import {frameOf, picture, svgFile, text, xAxis, xTicks, yAxis} from './plot.js';
 import {evenly, scaleOf} from './scale.js';
-import {extents, placed, pointsAt} from './scatter_data.js';
+import {extents, placed, pointsAt, pointsCsv} from './scatter_data.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 /** @typedef {import('./scatter_data.js').Measured} Measured */
@@ -63,7 +63,11 @@ function pointsTable(measured, n) {
   return plainTable(
     'Accuracy and speed at this run',
     [{text: 'formulation'}, {text: 'error', number: true}, {text: 'ns', number: true}],
-    rows.map((p) => [formulationName(p.formulation), short(p.error, 3), short(p.ns, 3)])
+    rows.map((p) => [
+      formulationName(p.formulation),
+      h('span', {title: full(p.error)}, short(p.error, 3)),
+      h('span', {title: full(p.ns)}, short(p.ns, 3))
+    ])
   );
 }
 
@@ -83,11 +87,14 @@ function figureOf(app, measured) {
   );
   const label = (/** @type {number} */ n) =>
     `Error against time of ${plural(measured.length, 'formulation')}, ${kindLabel(place.kind)}, at ${history.commit(runs[n])} of ${history.day(runs[n])}`;
+  /** @type {SVGElement} */
+  let drawn;
   const draw = () => {
     const n = Number(range.value);
     range.setAttribute('aria-valuetext', `${history.day(runs[n])}, ${history.commit(runs[n])}`);
     say.replaceChildren(`${history.day(runs[n])}, `, ...runWords(app, runs[n]));
-    box.replaceChildren(scatterChart(measured, n, first, Math.max(box.clientWidth, 280), label(n)));
+    drawn = scatterChart(measured, n, first, Math.max(box.clientWidth, 280), label(n));
+    box.replaceChildren(drawn);
     table.replaceChildren(pointsTable(measured, n));
   };
   const at = asked < 0 ? runs.length - 1 : asked;
@@ -103,6 +110,13 @@ function figureOf(app, measured) {
         h('figure', {}, h('figcaption', {}, label(n)), scatterChart(measured, n, first, 480, label(n)))
       )
     );
+  const name = `accuracy_speed_${place.kind}`;
+  const files = h(
+    'div',
+    {class: 'controls'},
+    download('SVG', `${name}.svg`, 'image/svg+xml', () => svgFile(drawn)),
+    download('CSV', `${name}.csv`, 'text/csv', () => pointsCsv(history, runs, measured))
+  );
   const since = history.release ? `release ${history.release.name}` : 'the first run';
   const content = h(
     'figure',
@@ -113,6 +127,7 @@ function figureOf(app, measured) {
       {},
       `Lower left is better. Lines: the way since ${since}. ${extents(measured).hasZero ? 'An error of zero is drawn at the lower edge.' : ''}`
     ),
+    files,
     paper
   );
   return {content, draw, print};

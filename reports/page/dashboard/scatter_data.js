@@ -1,5 +1,7 @@
 // Accuracy against speed, run by run. No document here.
 import {isNumber} from '../format.js';
+import {ends} from './scale.js';
+import {csvText} from './trend_data.js';
 
 /** @typedef {import('./trend_data.js').Trend} Trend */
 /** @typedef {{formulation: string, time: Trend, error: Trend}} Measured */
@@ -19,15 +21,27 @@ export const pointsAt = (measured, n) =>
     return isNumber(ns) && isNumber(e) ? [{formulation, ns, error: e}] : [];
   });
 
+/** Every run of the series, one line a formulation.
+ * @param {import('./history_data.js').History} history @param {number[]} runs @param {Measured[]} measured
+ */
+export function pointsCsv({runs: {commit, date}}, runs, measured) {
+  const lines = runs.flatMap((run, n) =>
+    pointsAt(measured, n).map((p) => [
+      commit[run],
+      new Date(1000 * date[run]).toISOString(),
+      ...[p.formulation, p.ns, p.error]
+    ])
+  );
+  return csvText([['commit', 'date', 'formulation', 'ns', 'error'], ...lines]);
+}
+
 /** All values of an axis, and where a zero is drawn on a logarithmic one: a decade below the least.
  * @param {Measured[]} measured
  */
 export function extents(measured) {
   const of = (/** @type {'time' | 'error'} */ key) =>
     measured.flatMap((m) => m[key].value.filter(isNumber).filter((v) => v > 0));
-  const [ns, error] = [of('time'), of('error')].map((values) =>
-    values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity])
-  );
+  const [ns, error] = [of('time'), of('error')].map(ends);
   const hasZero = measured.some((m) => m.error.value.includes(0));
   const floor = Number.isFinite(error[0]) ? error[0] / 10 : 1e-17;
   const errors = [hasZero ? floor : error[0], error[1]].filter(Number.isFinite);

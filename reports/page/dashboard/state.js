@@ -4,7 +4,7 @@ import {VERDICTS} from '../data.js';
 import {h, plainTable} from '../dom.js';
 import {nanoseconds, short} from '../format.js';
 import {isOpen} from './history_data.js';
-import {formulationName} from './pieces.js';
+import {formulationName, nameCode} from './pieces.js';
 import {COMMON, statesOf} from './state_data.js';
 import {amount} from './words.js';
 
@@ -43,7 +43,7 @@ function worstCell({history, place}, worst) {
     'a',
     {href: place.linkTo(worst.figure)},
     `${short(worst.digits)} in `,
-    h('code', {}, shortName(history.figures, worst.figure))
+    nameCode(shortName(history.figures, worst.figure))
   );
 }
 

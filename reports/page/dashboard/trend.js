@@ -1,13 +1,13 @@
 // The trend of one figure: search, picture, a cursor over its runs, table, files.
-import {button, choice, download, h} from '../dom.js';
-import {isNumber, plural, short} from '../format.js';
+import {button, choice, download, folded, h} from '../dom.js';
+import {full, isNumber, plural, short} from '../format.js';
 import {chooser} from './chooser.js';
 import {amountMark, figureLink, growingTable, nothing, runSlider, runWords} from './pieces.js';
 import {svgFile} from './plot.js';
 import {logCan, logFits} from './scale.js';
-import {trendChart, valuesOf} from './trend_chart.js';
+import {legendText, trendChart, valuesOf} from './trend_chart.js';
 import {csvOf} from './trend_data.js';
-import {amount, MARKS, sure, withUnit} from './words.js';
+import {amount, fromTo, MARKS, sure, told, verdictText, withUnit} from './words.js';
 
 /** @typedef {import('./dashboard.js').App} App */
 /** @typedef {import('./history_data.js').Story} Story */
@@ -21,8 +21,6 @@ const AXES = [
   {key: 'linear', label: 'linear'},
   {key: 'log', label: 'logarithmic'}
 ];
-
-const verdictText = (/** @type {string} */ verdict) => verdict.replace('_', ' ');
 
 /** One run in words. @param {App} app @param {Trend} trend @param {number} n */
 function readout({history, place}, trend, n) {
@@ -55,7 +53,7 @@ function table(app, trend) {
   const rowOf = (/** @type {number} */ n) => [
     runWords(app, trend.runs[n]),
     history.day(trend.runs[n]),
-    ...known.map((key) => short(trend[key][n], 4)),
+    ...known.map((key) => full(trend[key][n])),
     ...(isJudged ? [verdictText(trend.verdict[n])] : [])
   ];
   const label = `Runs of ${history.figures.name[place.figure]}`;
@@ -64,7 +62,7 @@ function table(app, trend) {
     if (box.hasChildNodes()) return;
     box.append(growingTable({label, columns}, [...trend.runs.keys()].reverse(), rowOf, kRows));
   };
-  return h('details', {class: 'more', ontoggle: fill}, h('summary', {}, 'As a table'), box);
+  return folded('As a table', box, fill);
 }
 
 /** The changes of the figure in words. @param {App} app @param {Story[]} changes */
@@ -79,8 +77,8 @@ const changeList = (app, changes) =>
         amountMark(c),
         ` since `,
         runWords(app, c.run),
-        ` (${app.history.day(c.run)}): ${short(c.before, 4)} → ${withUnit(c.after, app.history.figures.unit[c.figure])}, ${sure(c)}. `,
-        c.text
+        ` (${app.history.day(c.run)}): ${fromTo(c, app.history.figures.unit[c.figure])}, ${sure(c)}. `,
+        told(c.text)
       )
     )
   );
@@ -137,6 +135,7 @@ function figureOf(app, trend, changes) {
       box,
       range,
       say,
+      h('figcaption', {}, legendText(history, figure, trend)),
       changes.length
         ? changeList(app, changes)
         : h('p', {class: 'note'}, 'No change was found in this series.'),

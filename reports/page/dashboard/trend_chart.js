@@ -1,6 +1,6 @@
 // The picture of one figure's trend: its line, limits, levels between changes, releases, and a cursor.
 import {PATHS, svg} from '../dom.js';
-import {isNumber} from '../format.js';
+import {isNumber, plural} from '../format.js';
 import {look} from '../palette.js';
 import {frameOf, picture, text, xAxis, yAxis} from './plot.js';
 import {evenly, scaleOf} from './scale.js';
@@ -64,7 +64,8 @@ function flags({width, top, bottom}, row, list) {
   let free = -Infinity;
   return list.map(({at, cls, words, shape}) => {
     const length = words.length * kLetter;
-    const begins = Math.max(0, Math.min(at - length / 2, width - length));
+    const wanted = shape ? at - length / 2 : at + 4; // without a mark beside the line
+    const begins = Math.max(0, Math.min(wanted, width - length));
     const isShown = begins > free + 8;
     if (isShown) free = begins + length;
     return svg(
@@ -90,7 +91,7 @@ function allFlags({history, trend, changes}, frame, x) {
     const words = history.runs.release[run];
     return words ? [{at: x(n), cls: 'release', words}] : [];
   });
-  return [...flags(frame, frame.bottom - 6, released), ...flags(frame, frame.top - 10, found)];
+  return [...flags(frame, frame.top + 10, released), ...flags(frame, frame.top - 10, found)];
 }
 
 /** Dates below the axis; of several runs of one day the first. @param {Request} request */
@@ -135,6 +136,19 @@ function lines({history, figure, trend, changes}, frame, x, y) {
   ];
 }
 
+/** What the marks mean that are in the picture. @param {History} history @param {number} figure @param {Trend} trend */
+export function legendText({figures, runs}, figure, trend) {
+  const isTime = figures.kind[figure] === 'time';
+  const spread = trend.low.filter(isNumber).length;
+  const marks = [
+    isTime ? 'Black: medians between changes.' : 'A dot: a change of value, limit or verdict.',
+    spread ? `Broad and pale: least to largest repetition, of the last ${plural(spread, 'run')}.` : '',
+    trend.limit.some(isNumber) ? 'Dashed: the limit.' : '',
+    trend.runs.some((run) => runs.release[run]) ? 'Dotted: releases.' : ''
+  ];
+  return marks.filter(Boolean).join(' ');
+}
+
 /** The picture, the position of a run under a pixel, and a cursor to put on a run.
  * @param {Request} request @param {string} label
  */
@@ -144,7 +158,7 @@ export function trendChart(request, label) {
   frame.top = 50; // room for the flags
   const last = Math.max(trend.runs.length - 1, 1);
   const x = (/** @type {number} */ n) => frame.left + ((frame.right - frame.left) * n) / last;
-  const y = scaleOf(valuesOf(trend), frame.bottom, frame.top + 12, isLog);
+  const y = scaleOf(valuesOf(trend), frame.bottom, frame.top + 14, isLog);
   const unit = history.figures.unit[figure];
   const cursor = svg('path', {class: 'cursor'});
   const drawn = picture(frame, label);

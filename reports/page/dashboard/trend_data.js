@@ -22,7 +22,9 @@ export const blockFault =
     for (const {series, r, v, l, h, limit, verdict} of s ?? []) {
       const runs = r ?? history.series[series]?.runs;
       if (!runs) return `it names the series ${series}, of ${history.series.length}`;
-      const bad = [v, l, h, limit, verdict].find((column) => column && column.length !== runs.length);
+      const bad =
+        [v, limit, verdict].find((column) => column && column.length !== runs.length) ??
+        [l, h].find((column) => column && column.length > runs.length);
       if (bad) return `${bad.length} values for ${runs.length} runs`;
     }
     return Array.isArray(s) ? '' : 'it holds no values';
@@ -45,7 +47,8 @@ export function trendOf(stretch, runs, holds) {
       if (holds || measured[i] === run) at[n] = i;
     });
   } else if (stretch) at.forEach((_, n) => (at[n] = n));
-  const spread = (column) => Array.from(at, (i) => column?.[i] ?? null);
+  const total = stretch?.v.length ?? 0;
+  const spread = (column) => Array.from(at, (i) => column?.[i - total + column.length] ?? null);
   return {
     runs,
     ...{value: spread(columns.value), low: spread(columns.low)},
@@ -112,7 +115,10 @@ const quoted = (/** @type {unknown} */ x) => {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 };
 
-/** RFC 4180, one line a run.
+/** RFC 4180. @param {unknown[][]} rows */
+export const csvText = (rows) => rows.map((cells) => `${cells.map(quoted).join(',')}\r\n`).join('');
+
+/** One line a run.
  * @param {import('./history_data.js').History} history @param {number} figure @param {Trend} trend
  */
 export function csvOf(history, figure, trend) {
@@ -127,7 +133,7 @@ export function csvOf(history, figure, trend) {
     title[run],
     ...[trend.value[n], trend.low[n], trend.high[n], trend.limit[n], trend.verdict[n]]
   ]);
-  return [head, ...lines].map((cells) => `${cells.map(quoted).join(',')}\r\n`).join('');
+  return csvText([head, ...lines]);
 }
 
 /** One median for each of `columns` equal parts, in the middle of it: {n, value}, value null where there is none.

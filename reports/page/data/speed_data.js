@@ -1,5 +1,5 @@
 // Timings beyond the reference: what they are of, how they are marked, and the results' object `speed`.
-import {isNumber, short, superscript} from '../format.js';
+import {isNumber, short, powerOfTen} from '../format.js';
 
 /** Results of before kernels were timed name none of these. */
 export const withDefaults = (t) => ({
@@ -126,12 +126,7 @@ export function fastestBatches(timings) {
 }
 
 const kNearPi = 3;
-const power = (x) =>
-  x === 1
-    ? '1'
-    : Math.abs(Math.log10(x) - Math.round(Math.log10(x))) < 1e-6
-      ? `10${superscript(Math.round(Math.log10(x)))}`
-      : String(Number(x.toPrecision(3)));
+const power = (x) => (x === 1 ? '1' : powerOfTen(x) || String(Number(x.toPrecision(3))));
 const toPi = (x) => (Math.PI - x < 1e-15 ? 'π' : `π − ${power(Number((Math.PI - x).toPrecision(3)))}`);
 export const phiText = (x) => (x === 0 ? '0' : x < kNearPi || x > Math.PI + 1e-9 ? power(x) : toPi(x));
 export const nearPi = (range) => range.from >= kNearPi;

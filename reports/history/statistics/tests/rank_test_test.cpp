@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -89,6 +90,21 @@ BOOST_AUTO_TEST_CASE(mutants_are_caught) {
   };
   for (const Test& mutant : {strictly_above, other_side, two_sided, ties_in_order, approximate})
     BOOST_TEST(!agrees(mutant));
+}
+
+// Either way, by the definition: twice the smaller of both. Groups of 1 to 60, few different numbers or many.
+BOOST_AUTO_TEST_CASE(either_way) {
+  std::mt19937 random(50);
+  for (int draw = 0; draw < 400; ++draw) {
+    const int different = draw % 4 == 0 ? 2 : draw % 4 == 1 ? 9 : draw % 4 == 2 ? 80 : 1 << 30;
+    Numbers a(1 + random() % 60), b(1 + random() % 60);
+    for (double& x : a) x = double(random() % unsigned(different));
+    for (double& x : b) x = double(random() % unsigned(different)) + (draw % 3 - 1) * different / 6;
+    const double least = std::min(chance(a, b), chance(b, a));
+    // Sums of up to 3000 numbers of ways, each with a rounding of its own.
+    BOOST_TEST(chance_of_difference(a, b) == std::min(1.0, 2 * least), boost::test_tools::tolerance(1e-13));
+    BOOST_TEST(chance_of_difference(b, a) == chance_of_difference(a, b), boost::test_tools::tolerance(1e-13));
+  }
 }
 
 // The k-th largest sum of ranks is reached in as many ways as k - 1 has partitions, while k is small.

@@ -1,5 +1,7 @@
 #include "reports/history/simulate/simulate.hpp"
 #include "reports/history/statistics/changes.hpp"
+#include "reports/history/statistics/medians.hpp"
+#include "reports/history/statistics/rank_test.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -38,6 +40,26 @@ BOOST_AUTO_TEST_CASE(up_and_down) {
   BOOST_TEST(found[0].text.starts_with("time +"));
   BOOST_TEST(found[1].run == 40u);
   BOOST_TEST((found[1].sense == Sense::improvement));
+}
+
+// What a step says is said of its neighbours as they are in the end, rounded times and dropped candidates or
+// not.
+BOOST_AUTO_TEST_CASE(neighbours) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    auto series = levels({100, 103.5, 100, 104, 100, 103.2, 120}, 14, seed);
+    for (double& x : series) x = std::round(10 * x) / 10;
+    const auto found = find_steps(series);
+    BOOST_TEST(found.size() >= 1u);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const std::size_t from = i == 0 ? 0 : found[i - 1].at;
+      const std::size_t to = i + 1 == found.size() ? series.size() : found[i + 1].at;
+      const auto low = std::span(series).subspan(from, found[i].at - from);
+      const auto high = std::span(series).subspan(found[i].at, to - found[i].at);
+      BOOST_TEST(found[i].before == median(low));
+      BOOST_TEST(found[i].after == median(high));
+      BOOST_TEST(found[i].chance == chance_of_difference(low, high));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(small_rare_or_short_is_none) {

@@ -1,7 +1,7 @@
 // One small chart per way to fail, one row per formulation: the bound of its safe range for each tolerance.
 import {AT_DECADES, Chart} from '../../chart.js';
 import {TOLERANCES, failuresOf} from '../../data/atlas_data.js';
-import {h, plainTable, swatch} from '../../dom.js';
+import {folded, h, plainTable, swatch} from '../../dom.js';
 import {short} from '../../format.js';
 import {Absent} from '../../parts.js';
 import {HUE} from '../../palette.js';
@@ -119,7 +119,7 @@ function panel(failure) {
     h('h4', {}, failure.title),
     chart.box,
     h('p', {class: 'note'}, `Beyond: ${failure.first}.`),
-    h('details', {class: 'more'}, h('summary', {}, 'Numbers and messages'), tableOf(failure))
+    folded('Numbers and messages', tableOf(failure))
   );
 }
 

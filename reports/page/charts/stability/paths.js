@@ -1,6 +1,6 @@
 // Equilibrium paths by arc length: through folds and branchings, stable solid and unstable dashed.
 import {Chart, isNarrow} from '../../chart.js';
-import {choice, h, isolate, plainTable, swatch} from '../../dom.js';
+import {choice, folded, h, isolate, plainTable, swatch} from '../../dom.js';
 import {full, short} from '../../format.js';
 import {look} from '../../palette.js';
 import {Absent} from '../../parts.js';
@@ -303,8 +303,8 @@ export function pathsFigure(results) {
       'A change of sign is accepted only when the singular point is found at 50 digits, so that ' +
         'a step cannot change path unnoticed.'
     ),
-    h('details', {class: 'more'}, h('summary', {}, 'Singular points'), eventTable(results, paths)),
-    h('details', {class: 'more'}, h('summary', {}, 'How each path ends'), endTable(results, paths)),
-    h('details', {class: 'more'}, h('summary', {}, 'Load stepping without guard'), stepTable(results, paths))
+    folded('Singular points', eventTable(results, paths)),
+    folded('How each path ends', endTable(results, paths)),
+    folded('Load stepping without guard', stepTable(results, paths))
   );
 }

@@ -2,7 +2,7 @@
 import {isOwnTruth, tableOf} from '../../data/cheapest_data.js';
 import {kindLabel} from '../../data/accuracy_data.js';
 import {h, scrolling, swatch} from '../../dom.js';
-import {isNumber, nanoseconds, percent, short, superscript} from '../../format.js';
+import {isNumber, nanoseconds, percent, short, powerOfTen} from '../../format.js';
 import {look} from '../../palette.js';
 import {Absent} from '../../parts.js';
 import {signNote} from '../notes.js';
@@ -15,7 +15,7 @@ import {
   variantLabel
 } from '../../data/speed_data.js';
 
-const powerText = (x) => (Number.isInteger(Math.log10(x)) ? `10${superscript(Math.log10(x))}` : short(x));
+const powerText = (x) => powerOfTen(x) || short(x);
 const madeOf = (c) =>
   [
     implementationLabel(c.implementation),

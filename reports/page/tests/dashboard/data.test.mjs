@@ -5,10 +5,9 @@ import {Blocks, Damaged, unpack} from '../../dashboard/blocks.js';
 import {History, indexFault, isOpen} from '../../dashboard/history_data.js';
 import {Place} from '../../dashboard/place.js';
 import {evenly, logCan, logFits, scaleOf} from '../../dashboard/scale.js';
-import {extents, placed, pointsAt} from '../../dashboard/scatter_data.js';
+import {extents, placed, pointsAt, pointsCsv} from '../../dashboard/scatter_data.js';
 import {statesOf} from '../../dashboard/state_data.js';
 import {blockFault, csvOf, extremes, levels, medians, steps, trendOf} from '../../dashboard/trend_data.js';
-import {amount, ratioText, sure} from '../../dashboard/words.js';
 import {HOSTILE, makeHistory, packed, randomOf, smallHistory} from './history_fixture.mjs';
 
 const small = smallHistory();
@@ -177,7 +176,7 @@ test('times have one value a run; other values hold until they change', () => {
   assert.equal(time.value.length, 60);
   const error = trend(ERROR);
   assert.ok(Math.abs(error.value[49] / 1e-5 - 1) < 1e-12);
-  assert.ok(Math.abs(error.value[50] - 3.162e-5) < 1e-12 && error.value[59] === error.value[50]);
+  assert.ok(Math.abs(error.value[50] / 10 ** -4.5 - 1) < 1e-12 && error.value[59] === error.value[50]);
   assert.deepEqual(steps(error), [0, 50]);
   assert.ok(Math.abs(error.limit[59] / 1e-4 - 1) < 1e-12);
   assert.ok(trendOf(undefined, [1, 2], true).value.every((v) => v === null));
@@ -299,13 +298,24 @@ test('an address brings back the figure, the series and the filters', () => {
   assert.equal(new Place(history).hash().includes('<'), false);
 });
 
-test('changes in words', () => {
-  const c = {digits: null, ratio: null, verdict: 'regression', p: null};
-  assert.equal(amount({...c, ratio: 1.1}), '+10 %');
-  assert.equal(amount({...c, ratio: 0.9}), '−10 %');
-  assert.equal(ratioText(3), '× 3');
-  assert.equal(amount({...c, digits: -0.5}), '0.5 digits lost');
-  assert.equal(amount({...c, digits: 0.5, verdict: 'improvement'}), '0.5 digits gained');
-  assert.equal(amount(c), '');
-  assert.deepEqual([sure(c), sure({...c, p: 2e-4})], ['exact', 'p = 2·10⁻⁴']);
+test('accuracy against speed as CSV: a line a run and formulation', () => {
+  const measured = [{formulation: 'invariant', time: trend(TIME), error: trend(ERROR)}];
+  const lines = pointsCsv(history, history.series[0].runs, measured).split('\r\n');
+  assert.equal(lines.length, 62);
+  assert.equal(lines[0], 'commit,date,formulation,ns,error');
+  assert.ok(lines[60].includes(`,${measured[0].time.value[59]},${measured[0].error.value[59]}`));
+});
+
+test('least and largest repetitions may be those of the last runs alone', () => {
+  const late = trendOf({series: 0, r: null, v: [5, 6, 7], l: [6.5], h: [8]}, [1, 2, 3], false);
+  assert.deepEqual(
+    [late.low, late.high],
+    [
+      [null, null, 6.5],
+      [null, null, 8]
+    ]
+  );
+  const {s} = small.blocks[numberOf(TIME)];
+  assert.equal(blockFault(history)({s: [{...s[0], l: s[0].l.slice(-5)}]}), '');
+  assert.match(blockFault(history)({s: [{...s[0], l: [...s[0].l, 1]}]}), /61 values for 60 runs/);
 });

@@ -58,8 +58,7 @@ const verdictOf = (spec, value) =>
 /** A stretch of the contract. spreadLast: of how many last runs low and high are kept. @param {Spec} spec */
 function stretchOf(spec, series, runs, values, spreadLast) {
   if (spec.kind === 'time') {
-    const edge = (sign) =>
-      values.map((v, n) => (n >= runs.length - spreadLast ? round(v * (1 + sign * kSpread)) : null));
+    const edge = (sign) => values.slice(-spreadLast).map((v) => round(v * (1 + sign * kSpread)));
     return {series, r: null, v: values, l: edge(-1), h: edge(1)};
   }
   const at = [...values.keys()].filter((n) => n === 0 || values[n] !== values[n - 1]);
@@ -74,13 +73,18 @@ function changeOf(spec, figure, {series, at, factor}, run) {
   const before =
     spec.base * spec.events.filter((e) => e.series === series && e.at < at).reduce((f, e) => f * e.factor, 1);
   const isWorse = factor > 1 === (spec.better !== 'up');
+  const isTime = spec.kind === 'time';
+  const [from, to] = [before, before * factor].map((x) => (isTime ? round(x) : x));
+  const digits = Math.log10(factor).toFixed(1);
   return {
-    ...{figure, series, run, before: round(before), after: round(before * factor)},
+    ...{figure, series, run, before: from, after: to},
     verdict: isWorse ? 'regression' : 'improvement',
     ratio: spec.kind === 'accuracy' ? null : factor,
     digits: spec.kind === 'accuracy' ? -Math.log10(factor) : null,
     p: spec.kind === 'time' ? 0.0002 : null,
-    text: spec.kind === 'time' ? 'instructions +0 %: layout or machine' : ''
+    text: isTime
+      ? `time ${factor > 1 ? '+' : ''}${(100 * factor - 100).toFixed(1)} %`
+      : `${from} -> ${to}${spec.kind === 'accuracy' ? `, ${digits.replace('-', '')} digits ${isWorse ? 'lost' : 'gained'}` : ''}`
   };
 }
 
@@ -182,7 +186,7 @@ export function smallHistory() {
     {series: 0, at: 30, factor: 0.8}
   ];
   named('attached_a/linear/residual/kernel').events = [{series: 0, at: 48, factor: 0.9}];
-  named('invariant/angular/modelling_error').events = [{series: 0, at: 50, factor: 3.162}];
+  named('invariant/angular/modelling_error').events = [{series: 0, at: 50, factor: 10 ** 0.5}];
   named('quaternion/angular/modelling_error').events = [{series: 1, at: 6, factor: 20}];
   specs.push(
     {name: 'frames/other_axes', unit: 'eps', kind: 'accuracy', formulation: '', base: 2, limit: 8},

@@ -52,7 +52,7 @@ const history = results ? aroundReport(JSON.parse(readFileSync(results, 'utf8'))
 const address = dashboardAddress(packed(history, false), results ? 'report' : 'small');
 mkdirSync(folder, {recursive: true});
 const browser = await launch();
-for (const width of [380, 900, 1400]) {
+for (const width of [390, 820, 1400]) {
   for (const theme of ['light', 'dark']) {
     const page = await browser.newPage({viewport: {width, height: 900}});
     await page.goto(`${address}?theme=${theme}`);

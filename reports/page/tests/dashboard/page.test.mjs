@@ -164,15 +164,16 @@ test('every chart has a table', {skip}, () =>
 );
 
 /** The text of what a button downloads. */
-async function downloaded(page, name) {
-  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', {name}).click()]);
+async function downloaded(page, section, name) {
+  const press = page.locator(`#${section}`).getByRole('button', {name}).click();
+  const [file] = await Promise.all([page.waitForEvent('download'), press]);
   return {name: file.suggestedFilename(), text: readFileSync(await file.path(), 'utf8')};
 }
 
 test('picture and data can be downloaded', {skip}, () =>
   open({hash: linkTo(TIME)}, async (page) => {
     await drawn(page);
-    const picture = await downloaded(page, 'SVG');
+    const picture = await downloaded(page, 'trend', 'SVG');
     assert.equal(picture.name, 'invariant_angular_residual_kernel.svg');
     assert.ok(
       picture.text.includes(commitOf(TIME)) &&
@@ -186,8 +187,12 @@ test('picture and data can be downloaded', {skip}, () =>
       );
     assert.ok(await isWellFormed(picture.text));
     assert.ok(!(await isWellFormed(picture.text.slice(0, -5)))); // the check can fail
-    const data = await downloaded(page, 'CSV');
+    const data = await downloaded(page, 'trend', 'CSV');
     assert.equal(data.text.split('\r\n').length, 62);
+    const points = await downloaded(page, 'scatter', 'SVG');
+    assert.equal(points.name, 'accuracy_speed_angular.svg');
+    assert.ok(await isWellFormed(points.text));
+    assert.ok((await downloaded(page, 'scatter', 'CSV')).text.startsWith('commit,date,formulation,ns,error'));
   })
 );
 

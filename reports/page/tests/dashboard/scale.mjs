@@ -1,8 +1,10 @@
-// How large and how fast the dashboard of 10 000 runs of 5 000 figures is, in Chromium:
-//   npm run scale
+// How large and how fast the dashboard of 10 000 runs of 5 000 figures is, in Chromium: one that the tests' own
+// history makes, or PAGE, written by halfway_large or ./halfway dashboard:
+//   npm run scale [-- PAGE]
 // Ends with 1 where it misses what the design allows.
 import {statSync} from 'node:fs';
-import {fileURLToPath} from 'node:url';
+import {resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 import {bundleForNow, launch} from '../browser.mjs';
 import {dashboardAddress, largeHistory, packed} from './history_fixture.mjs';
 
@@ -16,9 +18,15 @@ const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 const worst = (list) => Math.max(...list);
 const ms = (x) => `${x.toFixed(0)} ms`;
 
-bundleForNow();
-const history = largeHistory();
-const address = dashboardAddress(packed(history, false), 'scale');
+/** Address of the page to measure. */
+function pageFor(file) {
+  // npm changes the folder, and says which one it was called in.
+  if (file) return pathToFileURL(resolve(process.env.INIT_CWD ?? '.', file)).href;
+  bundleForNow();
+  return dashboardAddress(packed(largeHistory(), false), 'scale');
+}
+
+const address = pageFor(process.argv[2]);
 const bytes = statSync(fileURLToPath(address)).size;
 const browser = await launch();
 
