@@ -1,71 +1,100 @@
 #include "reference/numbers/precision.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <mpfr.h>
 
-#include <new>
+#include <array>
+#include <stdexcept>
+#include <type_traits>
 
 namespace halfway::reference {
+namespace {
 
-using Number =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-static_assert(std::numeric_limits<Number>::digits == RealDigits<Real50>::value);
+constexpr mpfr_prec_t kBits = RealDigits<Real50>::value;
+constexpr mpfr_rnd_t kRounding = MPFR_RNDN;
 
-/// The storage holds one trivially copyable Number, made in place.
+}  // namespace
+
 struct Real50::Access {
-  static_assert(sizeof(Number) <= sizeof(storage_) && alignof(Number) <= 16);
-  static_assert(std::is_trivially_destructible_v<Number>);
+  static_assert(std::is_same_v<mpfr_exp_t, long> && std::is_same_v<mp_limb_t, unsigned long>);
+  static_assert(kBits <= mpfr_prec_t(8 * sizeof(limbs_)));
 
-  static Number& of(Real50& r) { return *std::launder(reinterpret_cast<Number*>(r.storage_)); }
-  static const Number& of(const Real50& r) {
-    return *std::launder(reinterpret_cast<const Number*>(r.storage_));
-  }
-  static void make(Real50& r, const Number& n) { new (r.storage_) Number(n); }
-  static Real50 from(const Number& n) {
-    Real50 r;
-    of(r) = n;
-    return r;
+  struct Number {
+    mpfr_t x;
+    /// MPFR writes to the limbs of results alone.
+    explicit Number(const Real50& of) {
+      mpfr_custom_init_set(x, of.kind_, of.exponent_, kBits, const_cast<unsigned long*>(of.limbs_));
+    }
+    operator mpfr_srcptr() const { return x; }
+  };
+
+  /// fn(result, MPFR's arguments...)
+  template <class Fn, class... Args>
+  static Real50 made(Fn fn, const Args&... args) {
+    Real50 out;
+    Number result(out);
+    fn(result.x, args...);
+    out.kind_ = mpfr_custom_get_kind(result.x);
+    out.exponent_ = mpfr_custom_get_exp(result.x);
+    return out;
   }
 };
 
-Real50::Real50(double value) { Access::make(*this, Number(value)); }
-Real50::Real50(long value) { Access::make(*this, Number(value)); }
-Real50::Real50(long double value) { Access::make(*this, Number(value)); }
-Real50::Real50(const char* decimal) { Access::make(*this, Number(decimal)); }
+Real50::Real50() : kind_(MPFR_ZERO_KIND), exponent_(0), limbs_{} {}
+Real50::Real50(double value) : Real50(Access::made([&](mpfr_ptr x) { mpfr_set_d(x, value, kRounding); })) {}
+Real50::Real50(long value) : Real50(Access::made([&](mpfr_ptr x) { mpfr_set_si(x, value, kRounding); })) {}
+Real50::Real50(long double value)
+    : Real50(Access::made([&](mpfr_ptr x) { mpfr_set_ld(x, value, kRounding); })) {}
+Real50::Real50(const char* decimal)
+    : Real50(Access::made([&](mpfr_ptr x) {
+        if (mpfr_set_str(x, decimal, 10, kRounding) != 0)
+          throw std::runtime_error("'" + std::string(decimal) + "' is no decimal number");
+      })) {}
 
-Real50::operator double() const { return Access::of(*this).convert_to<double>(); }
-Real50::operator long double() const { return Access::of(*this).convert_to<long double>(); }
-std::string Real50::str(int digits) const { return Access::of(*this).str(digits); }
-
-Real50 Real50::operator-() const { return Access::from(-Access::of(*this)); }
-Real50& Real50::operator+=(const Real50& o) { return Access::of(*this) += Access::of(o), *this; }
-Real50& Real50::operator-=(const Real50& o) { return Access::of(*this) -= Access::of(o), *this; }
-Real50& Real50::operator*=(const Real50& o) { return Access::of(*this) *= Access::of(o), *this; }
-Real50& Real50::operator/=(const Real50& o) { return Access::of(*this) /= Access::of(o), *this; }
-
-bool operator==(const Real50& a, const Real50& b) { return Real50::Access::of(a) == Real50::Access::of(b); }
-std::partial_ordering operator<=>(const Real50& a, const Real50& b) {
-  const Number &x = Real50::Access::of(a), &y = Real50::Access::of(b);
-  if (x < y) return std::partial_ordering::less;
-  if (x > y) return std::partial_ordering::greater;
-  return x == y ? std::partial_ordering::equivalent : std::partial_ordering::unordered;
+Real50::operator double() const { return mpfr_get_d(Access::Number(*this), kRounding); }
+Real50::operator long double() const { return mpfr_get_ld(Access::Number(*this), kRounding); }
+std::string Real50::str(int digits) const {
+  std::array<char, 256> text;
+  const int size =
+      mpfr_snprintf(text.data(), text.size(), "%.*Rg", digits, mpfr_srcptr(Access::Number(*this)));
+  return {text.data(), std::size_t(size)};
 }
 
-#define HALFWAY_UNARY(name)                                                          \
-  Real50 name(const Real50& a) {                                                     \
-    return Real50::Access::from(boost::multiprecision::name(Real50::Access::of(a))); \
+#define HALFWAY_UNARY(name, function)                                                           \
+  Real50 name(const Real50& a) {                                                                \
+    return Real50::Access::made([](mpfr_ptr x, mpfr_srcptr of) { function(x, of, kRounding); }, \
+                                Real50::Access::Number(a));                                     \
   }
-HALFWAY_UNARY(abs)
-HALFWAY_UNARY(sqrt)
-HALFWAY_UNARY(sin)
-HALFWAY_UNARY(cos)
-HALFWAY_UNARY(tan)
-HALFWAY_UNARY(atan)
+HALFWAY_UNARY(Real50::negative, mpfr_neg)
+HALFWAY_UNARY(abs, mpfr_abs)
+HALFWAY_UNARY(sqrt, mpfr_sqrt)
+HALFWAY_UNARY(sin, mpfr_sin)
+HALFWAY_UNARY(cos, mpfr_cos)
+HALFWAY_UNARY(tan, mpfr_tan)
+HALFWAY_UNARY(atan, mpfr_atan)
 #undef HALFWAY_UNARY
 
-Real50 atan2(const Real50& y, const Real50& x) {
-  return Real50::Access::from(boost::multiprecision::atan2(Real50::Access::of(y), Real50::Access::of(x)));
+#define HALFWAY_BINARY(name, function)                                                              \
+  Real50 name(const Real50& a, const Real50& b) {                                                   \
+    return Real50::Access::made(                                                                    \
+        [](mpfr_ptr x, mpfr_srcptr of, mpfr_srcptr and_of) { function(x, of, and_of, kRounding); }, \
+        Real50::Access::Number(a), Real50::Access::Number(b));                                      \
+  }
+HALFWAY_BINARY(operator+, mpfr_add)
+HALFWAY_BINARY(operator-, mpfr_sub)
+HALFWAY_BINARY(operator*, mpfr_mul)
+HALFWAY_BINARY(operator/, mpfr_div)
+HALFWAY_BINARY(atan2, mpfr_atan2)
+#undef HALFWAY_BINARY
+
+bool operator==(const Real50& a, const Real50& b) {
+  return mpfr_equal_p(Real50::Access::Number(a), Real50::Access::Number(b)) != 0;
 }
-bool isfinite(const Real50& a) { return boost::multiprecision::isfinite(Real50::Access::of(a)); }
+std::partial_ordering operator<=>(const Real50& a, const Real50& b) {
+  const Real50::Access::Number x(a), y(b);
+  if (mpfr_unordered_p(x, y) != 0) return std::partial_ordering::unordered;
+  return mpfr_cmp(x, y) <=> 0;
+}
+bool isfinite(const Real50& a) { return mpfr_number_p(Real50::Access::Number(a)) != 0; }
 
 Real50 pi50() { return Real50("3.14159265358979323846264338327950288419716939937510582"); }
 

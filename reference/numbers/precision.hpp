@@ -1,8 +1,7 @@
 // 50-digit arithmetic: the road that sees rounding.
 //
-// Real50 is Boost.Multiprecision's cpp_bin_float_50 behind out-of-line operators. The joints are
-// instantiated in it for every formulation; with Boost's operator templates in sight each such unit
-// takes a minute to compile, with these declarations a few seconds.
+// Real50 is a number of MPFR, correctly rounded, behind out-of-line operators: what is instantiated in it for
+// every formulation sees these declarations alone.
 #pragma once
 
 #include "halfway/rotations/scalar.hpp"
@@ -17,7 +16,7 @@ namespace halfway::reference {
 
 class Real50 {
  public:
-  Real50() : Real50(0.0) {}
+  Real50();  ///< zero
   Real50(double value);
   Real50(int value) : Real50(double(value)) {}
   Real50(long value);
@@ -32,15 +31,15 @@ class Real50 {
   /// Decimal with `digits` significant digits.
   std::string str(int digits) const;
 
-  Real50 operator-() const;
-  Real50& operator+=(const Real50& o);
-  Real50& operator-=(const Real50& o);
-  Real50& operator*=(const Real50& o);
-  Real50& operator/=(const Real50& o);
-  friend Real50 operator+(Real50 a, const Real50& b) { return a += b; }
-  friend Real50 operator-(Real50 a, const Real50& b) { return a -= b; }
-  friend Real50 operator*(Real50 a, const Real50& b) { return a *= b; }
-  friend Real50 operator/(Real50 a, const Real50& b) { return a /= b; }
+  Real50 operator-() const { return negative(*this); }
+  Real50& operator+=(const Real50& o) { return *this = *this + o; }
+  Real50& operator-=(const Real50& o) { return *this = *this - o; }
+  Real50& operator*=(const Real50& o) { return *this = *this * o; }
+  Real50& operator/=(const Real50& o) { return *this = *this / o; }
+  friend Real50 operator+(const Real50& a, const Real50& b);
+  friend Real50 operator-(const Real50& a, const Real50& b);
+  friend Real50 operator*(const Real50& a, const Real50& b);
+  friend Real50 operator/(const Real50& a, const Real50& b);
   friend bool operator==(const Real50& a, const Real50& b);
   friend std::partial_ordering operator<=>(const Real50& a, const Real50& b);
 
@@ -54,8 +53,12 @@ class Real50 {
   friend bool isfinite(const Real50& a);
 
  private:
-  struct Access;  // precision.cpp: the Boost number inside
-  alignas(16) std::byte storage_[64];
+  static Real50 negative(const Real50& a);
+  struct Access;  // precision.cpp: MPFR's number on these limbs; no pointer is kept, so that bytes can be
+                  // copied
+  int kind_;
+  long exponent_;
+  unsigned long limbs_[3];
 };
 
 /// pi to 50 digits.

@@ -4,14 +4,13 @@
 #include <Eigen/src/Core/util/Macros.h>
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
-#include <boost/version.hpp>
+#include <mpfr.h>
 
 namespace halfway::history {
 
 std::string libraries_here() {
-  return fmt::format(R"({{"Boost":"{}.{}.{}","Eigen":"{}.{}.{}","GSL":"{}","fmt":"{}.{}.{}"}})",
-                     BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100,
-                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, GSL_VERSION,
+  return fmt::format(R"({{"Eigen":"{}.{}.{}","GSL":"{}","MPFR":"{}","fmt":"{}.{}.{}"}})", EIGEN_WORLD_VERSION,
+                     EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, GSL_VERSION, MPFR_VERSION_STRING,
                      FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100);
 }
 

@@ -141,7 +141,7 @@ export function legendText({figures, runs}, figure, trend) {
   const isTime = figures.kind[figure] === 'time';
   const spread = trend.low.filter(isNumber).length;
   const marks = [
-    isTime ? 'Black: medians between changes.' : 'A dot: a change of value, limit or verdict.',
+    isTime ? 'The firm line: medians between changes.' : 'A dot: a change of value, limit or verdict.',
     spread ? `Broad and pale: least to largest repetition, of the last ${plural(spread, 'run')}.` : '',
     trend.limit.some(isNumber) ? 'Dashed: the limit.' : '',
     trend.runs.some((run) => runs.release[run]) ? 'Dotted: releases.' : ''
