@@ -59,8 +59,9 @@ Record record_of(const history::Record& run, const std::string& name) {
 
 Record read_report(const std::filesystem::path& path) {
   // The file itself: repetitions of times, which lie beside it, are not compared.
-  const bool is_file = std::filesystem::is_regular_file(path);
-  return record_of(history::read_report(is_file ? path : path / "results.json").record, path.string());
+  const auto file = path / "results.json";
+  return record_of(history::read_report(std::filesystem::is_regular_file(file) ? file : path).record,
+                   path.string());
 }
 
 Outcome compare(const Record& before, const Record& after) {

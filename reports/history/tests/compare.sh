@@ -58,6 +58,9 @@ for kept in kept.sqlite kept.jsonl; do
 done
 expect 0 "against kept.sqlite@abc3" kept.sqlite@1 three # numbers are those of the file: the third was added first
 expect 2 'cannot read' nowhere.jsonl@abc1 three
+expect 2 ' nowhere/results.json: cannot read' nowhere three
+mkdir empty
+expect 2 ' empty/results.json: cannot read' empty three
 
 # The text is append-only, and is what list, show and dashboard read too.
 cp kept.jsonl before.jsonl
