@@ -2,6 +2,7 @@
 // reports runs them for the page; both see the same list.
 #pragma once
 
+#include "reference/record/effort.hpp"
 #include "reference/record/finding.hpp"
 
 #include <functional>
@@ -10,11 +11,14 @@
 
 namespace halfway::verify {
 
+using reference::by_effort;
 using reference::Comparison;
 using reference::Draft;
 using reference::finding;
 using reference::Finding;
+using reference::is_quick;
 using reference::Oracle;
+using reference::sampled;
 using reference::Verdict;
 
 struct Check {

@@ -25,6 +25,7 @@ struct Case : Label {
   double bytes = 0;                              ///< read and written by one evaluation
   bool wall_time = false;                        ///< and not CPU time: several threads share the work
   std::function<Checked()> check;                ///< run once, before the first timing
+  std::function<std::vector<ErrorAt>()> errors;  ///< where the check has none: asked for by reports alone
   std::function<void(benchmark::State&)> timed;  ///< nothing but the timed loop
   std::function<void(int)> evaluate;             ///< what is timed, so many times over; may be empty
 };

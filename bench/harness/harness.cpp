@@ -76,7 +76,7 @@ class Collector : public benchmark::BenchmarkReporter {
     Timing timing;
     static_cast<Label&>(timing) = c;
     timing.flops = c.flops, timing.bytes = c.bytes;
-    timing.error = checked(c).error, timing.errors = checked(c).errors;
+    timing.error = checked(c).error, timing.errors = c.errors ? c.errors() : checked(c).errors;
     std::vector<double> times;
     for (const Run& run : runs) {
       if (run.error_occurred)

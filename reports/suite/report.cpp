@@ -11,7 +11,7 @@
 #include "reports/views/stability/stability.hpp"
 #include "reports/views/writers.hpp"
 #include "verify/check.hpp"
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"
 
 #include <fmt/format.h>
@@ -65,7 +65,7 @@ void verify_all(const ReportOptions& options, Results& results) {
     return !wanted(options, check.name) || (options.quick && check.name.starts_with("saboteurs/"));
   });
   if (options.quick) results.left_out.push_back({"that every check can fail (saboteurs)", kQuickReason});
-  if (verify::is_quick())
+  if (reference::is_quick())
     results.left_out.push_back(
         {"most samples of the expensive checks", "HALFWAY_EFFORT=quick, as ./halfway sets it for --quick"});
   Progress progress("verifying");

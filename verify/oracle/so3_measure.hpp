@@ -5,7 +5,7 @@
 #pragma once
 
 #include "reference/numbers/random.hpp"
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/oracle/measures.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 

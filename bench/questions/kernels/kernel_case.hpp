@@ -80,11 +80,8 @@ Case kernel_case(const std::shared_ptr<const Inputs>& in, const std::string& var
     }
     return values;
   };
-  c.check = [in, all, tolerance] {
-    Checked checked = compare(F::name, *in, all(*in), Given::quaternions, tolerance);
-    checked.errors = errors_by_range(F::name, *in, all, Given::quaternions);
-    return checked;
-  };
+  c.check = [in, all, tolerance] { return compare(F::name, *in, all(*in), Given::quaternions, tolerance); };
+  c.errors = [in, all] { return errors_by_range(F::name, *in, all, Given::quaternions); };
   constexpr int read = 2 * (kind == Kind::angular ? 4 : 7);
   c.bytes = (read + output_count<kind, with_tangent>()) * double(sizeof(T));
   time_by(c, [nodes = KernelNodes<T>(*in), joint](int iterations) {

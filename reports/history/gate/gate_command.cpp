@@ -30,7 +30,7 @@ struct GateOptions {
   TimeRules rules{};
   std::string spread = HALFWAY_SPREAD;
   bool again = false, report = false;
-  int self = 0;
+  int self = 0, slowed = 0;
   std::vector<double> slower = SelfPlan{}.slower;
   TellOptions tell;
 };
@@ -71,10 +71,10 @@ void run_self(const GateOptions& o) {
   Places places = o.places;
   places.layouts = 12;
   plan.programs = find_side(o.base, places).programs;
-  plan.slowed_runs = (o.self + 3) / 4;
-  plan.command =
-      fmt::format("./halfway gate{} --self {} --min-time {} --slower {}", o.base.empty() ? "" : " BASE",
-                  o.self, o.bench.min_time, fmt::join(o.slower, ","));
+  plan.slowed_runs = o.slowed > 0 ? o.slowed : (o.self + 3) / 4;
+  plan.command = fmt::format("./halfway gate{} --self {} --slowed {} --min-time {} --slower {}",
+                             o.base.empty() ? "" : " BASE", o.self, plan.slowed_runs, o.bench.min_time,
+                             fmt::join(o.slower, ","));
   fs::create_directories(folder);
   const reports::FolderLock lock(folder);
   Journal journal = open_journal(o, folder, about(o, plan.programs, {}));
@@ -153,9 +153,9 @@ void add_gate(CLI::App& app) {
       ->check(CLI::Range(1, 20));
   command->add_flag("--report", o->report, "Compare the reports of both as well: every finding, every count");
   command->add_flag("--again", o->again, "Measure afresh what was measured before");
-  command
-      ->add_option("--self", o->self,
-                   "So many comparisons of BASE with itself, a quarter as many of each slow-down")
+  command->add_option("--self", o->self, "So many comparisons of BASE with itself")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--slowed", o->slowed, "And so many of each slow-down; default: a quarter")
       ->check(CLI::Range(1, 10000));
   command->add_option("--slower", o->slower, "Slow-downs seeded by --self, shares")
       ->delimiter(',')

@@ -5,7 +5,7 @@
 #include "reference/solve/buckling.hpp"
 #include "reference/solve/paths/branches.hpp"
 #include "reference/solve/solve.hpp"
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/scene_access.hpp"
 #include "verify/studies/frames/answers.hpp"

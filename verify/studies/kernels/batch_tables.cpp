@@ -1,4 +1,4 @@
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/poles.hpp"
 #include "verify/studies/kernels/batch.hpp"

@@ -1,6 +1,6 @@
 // The kernels against the readable transcription at 50 digits: another text of the same joint, from
 // the very same quaternions, over every decade of the angle up to pi - 1e-12.
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/oracle/poles.hpp"
 #include "verify/oracle/property.hpp"
 

@@ -1,5 +1,5 @@
 // Thousands of periods of bodies on every formulation: who makes energy, and who angular momentum.
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"

@@ -3,7 +3,7 @@
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/zeros.hpp"
 #include "reference/solve/path.hpp"
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/once.hpp"
 #include "verify/studies/newton/newton_order.hpp"
 

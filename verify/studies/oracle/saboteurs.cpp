@@ -1,5 +1,5 @@
 // Every check proves that it can fail: the suite's own checks against sabotaged formulations.
-#include "verify/effort.hpp"
+#include "reference/record/effort.hpp"
 #include "verify/oracle/saboteurs/claims.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"
 #include "verify/oracle/saboteurs/sort.hpp"

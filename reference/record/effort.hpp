@@ -1,13 +1,13 @@
-// How much a study samples. Full: what a proof needs. Quick (HALFWAY_EFFORT=quick): every line reached with
-// fewer samples, for sanitizers and smoke runs; limits are the same, so a quick run fails only where a full
-// one does.
+// How much a study or a check samples. Full: what a proof needs. Quick (HALFWAY_EFFORT=quick): every line
+// reached with fewer samples, for sanitizers and smoke runs; limits are the same, so a quick run fails only
+// where a full one does.
 #pragma once
 
 #include <cstdlib>
 #include <string_view>
 #include <vector>
 
-namespace halfway::verify {
+namespace halfway::reference {
 
 inline bool is_quick() {
   const char* effort = std::getenv("HALFWAY_EFFORT");
@@ -27,4 +27,4 @@ std::vector<T> sampled(const std::vector<T>& all, int quick_step) {
   return out;
 }
 
-}  // namespace halfway::verify
+}  // namespace halfway::reference
