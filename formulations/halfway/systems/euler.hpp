@@ -38,7 +38,8 @@ struct FieldB : Family<FrameB, Euler312, Projected> {
 /// Body-fixed x-y-z angles and their conjugate moments, in the frame of node a.
 struct SimbodyXyz : Family<FrameA, Euler123, Conjugate> {
   static constexpr const char* name = "simbody_xyz";
-  static constexpr const char* stands_for = "Simbody / OpenSim LinearBushing";
+  static constexpr const char* stands_for =
+      "Simbody / OpenSim LinearBushing, Simscape Bushing, Abaqus CARTESIAN + CARDAN, MuJoCo hinge chains";
   static constexpr Facts facts{
       .node_order = {.angular = near(3.72), .linear = near(2.13), .linear_angular = near(1.09)},
       .beta = -0.5};

@@ -22,7 +22,8 @@ struct Potential : Family<FrameHalfway, RotationVectorMeasure, Conjugate> {
 
 struct QuaternionJoint : Family<FrameHalfway, QuaternionMeasure, Conjugate> {
   static constexpr const char* name = "quaternion";
-  static constexpr const char* stands_for = "2 sin(phi/2) n potential, beyond the paper";
+  static constexpr const char* stands_for =
+      "2 sin(phi/2) n potential, beyond the paper; position-based rods, MuJoCo weld";
   static constexpr Facts facts{};
 };
 

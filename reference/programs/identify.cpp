@@ -1,0 +1,115 @@
+#include "reference/programs/identify.hpp"
+
+#include "reference/programs/joints.hpp"
+#include "reference/record/worst.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halfway::reference {
+namespace {
+
+/// Sums for scales and distance: of forces and of moments, each question over its own size.
+struct Sums {
+  double theirs = 0, ours = 0, both = 0;
+  void add(const Vec3<double>& their, const Vec3<double>& our, double size) {
+    if (size == 0) return;
+    theirs += their.squaredNorm() / (size * size);
+    ours += our.squaredNorm() / (size * size);
+    both += their.dot(our) / (size * size);
+  }
+  double scale() const { return ours > 0 ? both / ours : 1; }
+  /// Squares left with this scale.
+  double left(double scale) const { return std::max(0., theirs - 2 * scale * both + scale * scale * ours); }
+};
+
+struct Fit {
+  Sums forces, moments;
+  int count = 0;
+
+  void add(const TwelveLoads& their, const TwelveLoads& our, bool moments_first) {
+    for (int kind = 0; kind < 2; ++kind) {
+      const int i = moments_first ? 1 - kind : kind;
+      const double size = std::hypot(part(their, i).norm(), part(their, i + 2).norm());
+      for (int node = 0; node < 2; ++node)
+        (kind == 0 ? forces : moments).add(part(their, i + 2 * node), part(our, i + 2 * node), size);
+    }
+    ++count;
+  }
+
+  double distance(double force_scale, double moment_scale) const {
+    return count == 0 ? std::nan("")
+                      : std::sqrt((forces.left(force_scale) + moments.left(moment_scale)) / count);
+  }
+};
+
+/// A scale that a person would give a name: 1, or as it is where nothing near it will do.
+double named_scale(double scale, double tolerance) {
+  for (const double plain : {1., 180 / std::numbers::pi, std::numbers::pi / 180, 0.5, 2., 0.25, 4.})
+    if (std::abs(std::abs(scale) / plain - 1) <= tolerance) return std::copysign(plain, scale);
+  return scale;
+}
+
+struct Near {
+  Identity identity;
+  int oddities = 0;
+};
+
+}  // namespace
+
+std::vector<Candidate> known_joints() {
+  std::vector<Candidate> out;
+  for (const Entry& entry : formulations())
+    if (!entry.needs_xi) out.push_back({std::string(entry.name), answerer(entry, entry.probe_xi)});
+  for (const ProgramJoint& joint : program_joints())
+    out.push_back({std::string(joint.name), joint.in_double});
+  return out;
+}
+
+Identity identify(const std::vector<Answered>& answers, const std::vector<Candidate>& candidates,
+                  double tolerance) {
+  std::vector<Near> all;
+  const auto ways = conventions();
+  for (const Candidate& candidate : candidates) {
+    std::vector<std::vector<TwelveLoads>> by_hearing(5);
+    for (int hearing = 0; hearing < 5; ++hearing) {
+      for (const Answered& a : answers)
+        by_hearing[std::size_t(hearing)].push_back(candidate.answer(heard(a.ask, Hearing(hearing))));
+    }
+    for (Convention c : ways) {
+      Fit fit;
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        // The law sees what was heard; points and axes are those of the bodies as the program has them.
+        const Ask seen = heard(answers[i].ask, c.hearing);
+        const TwelveLoads ours = in_their_words(by_hearing[std::size_t(c.hearing)][i], seen, c);
+        const bool is_exchanged = (c.hearing == Hearing::bodies_exchanged) != c.answers_exchanged;
+        fit.add(answers[i].loads, is_exchanged ? exchanged(ours) : ours, c.moments_first);
+      }
+      const double loose = larger(1e-3, 3 * tolerance);
+      c.force_scale = named_scale(fit.forces.scale(), loose);
+      c.moment_scale = named_scale(fit.moments.scale(), loose);
+      if (fit.forces.ours == 0) c.force_scale = std::copysign(1., c.moment_scale);
+      if (fit.moments.ours == 0) c.moment_scale = std::copysign(1., c.force_scale);
+      const double distance = fit.distance(c.force_scale, c.moment_scale);
+      if (distance == distance) all.push_back({{candidate.name, c, distance, {}}, c.oddities()});
+    }
+  }
+  if (all.empty()) return {};
+  const double best =
+      std::ranges::min_element(all, {}, [](const Near& n) { return n.identity.distance; })->identity.distance;
+  const double near = larger(3 * best, tolerance);
+  const Near* chosen = nullptr;
+  for (const Near& n : all)
+    if (n.identity.distance <= near && (chosen == nullptr || n.oddities < chosen->oddities)) chosen = &n;
+  Identity out = chosen->identity;
+  for (const Near& n : all) {
+    const bool same =
+        n.oddities == chosen->oddities && n.identity.distance <= near && n.identity.name != out.name;
+    if (same && std::ranges::find(out.as_well, n.identity.name) == out.as_well.end())
+      out.as_well.push_back(n.identity.name);
+  }
+  return out;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,28 @@
+#include "reference/programs/joints.hpp"
+
+#include <algorithm>
+
+namespace halfway::reference {
+
+const ProgramJoint* find_program_joint(std::string_view name) {
+  const auto all = program_joints();
+  const auto it = std::ranges::find(all, name, &ProgramJoint::name);
+  return it == all.end() ? nullptr : &*it;
+}
+
+Answerer answerer(const Entry& entry, double xi) {
+  return [&entry, xi](const Ask& ask) -> TwelveLoads {
+    const programs::Situation<double> s = situation<double>(ask);
+    JointSpec spec;
+    spec.kind = Kind::linear_angular;
+    spec.xi = xi;
+    spec.a = s.end_a, spec.b = s.end_b;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
+    K.topLeftCorner<3, 3>() = s.K_f;
+    K.bottomRightCorner<3, 3>() = s.K_m;
+    spec.law = LinearSpec{K, false};
+    return node_loads<double>(entry, spec, s.a, s.b, false).q;
+  };
+}
+
+}  // namespace halfway::reference
