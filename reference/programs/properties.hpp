@@ -19,7 +19,7 @@ enum class Springs { isotropic, diagonal, full };
 
 /// Poses without any symmetry, offsets and joint frames on both bodies, relative angles from `least` to
 /// `largest`, rad.
-/// @param bond  the joint points rest one metre apart along z (programs/lines.hpp), else together
+/// @param bond  the joint points rest one metre apart along z (halfway/programs/lines.hpp), else together
 std::vector<Ask> generic_asks(int count, double least, double largest, Springs springs, bool bond = false);
 
 /// |f_a + f_b| / |f_b|.

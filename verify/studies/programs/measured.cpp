@@ -18,7 +18,6 @@ constexpr const char* kStep = "double precision; loads are momenta over one time
 constexpr const char* kSingle = "single precision; loads are momenta over one time step from rest";
 
 constexpr Case kCases[] = {
-    {"simbody", "simbody_xyz", 1e-13, kDouble},
     {"mujoco_chain", "simbody_xyz", 1e-12, kDouble},
     {"mujoco_ball", "attached_a", 1e-13, kDouble},
     {"mujoco_weld", "mujoco_weld", 1e-10, "double precision; three impedances extrapolated to none"},

@@ -84,7 +84,7 @@ double unbalanced() {
   }
   const auto q = tapped(state.loads(s));
   const V f = q.template segment<3>(6), m_a = q.template segment<3>(3), m_b = q.template segment<3>(9);
-  return (m_a + m_b + (s.b.x - s.a.x).cross(f)).norm() / std::max(m_a.norm(), m_b.norm());
+  return (m_a + m_b + (s.b.x - s.a.x).cross(f)).norm() / larger(m_a.norm(), m_b.norm());
 }
 
 std::vector<Finding> balances() {

@@ -1,0 +1,180 @@
+#include "reports/check/examine.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace halfway::check {
+namespace {
+
+using reference::Springs;
+
+Springs springs_of(const Hello& hello) {
+  return hello.springs == Hello::Springs::isotropic ? Springs::isotropic : Springs::diagonal;
+}
+
+/// As the program can be asked.
+std::vector<Ask> adapted(std::vector<Ask> asks, const Hello& hello) {
+  for (Ask& ask : asks) {
+    if (hello.springs == Hello::Springs::isotropic) ask.K_f = ask.K_m = ask.K_m(0, 0) * Mat3<double>::Identity();
+    if (hello.frames && hello.linear_angular) continue;
+    // Body b is moved so that the joint frames lie as they lay.
+    const Vec3<double> theta = so3::log<double>(Mat3<double>(reference::matrix_of(times(ask.a.q, ask.a.h)).transpose() *
+                                                             reference::matrix_of(times(ask.b.q, ask.b.h))));
+    if (!hello.frames) ask.b.o.setZero(), ask.b.h = Eigen::Vector4d(1, 0, 0, 0);
+    if (!hello.linear_angular) ask.K_f.setZero();
+    reference::place_b(ask, theta, hello.linear_angular ? Vec3<double>(0.2, -0.1, 0.15) : Vec3<double>(0, 0, 0));
+  }
+  return asks;
+}
+
+std::vector<Ask> poses(const Hello& hello, int count, double least, double largest, bool bond) {
+  return adapted(reference::generic_asks(count, least, largest, springs_of(hello), bond), hello);
+}
+
+Result judged(Result r, double value, double limit, const std::string& where = "") {
+  r.value = value;
+  r.limit = limit;
+  r.where = where;
+  if (value != value) {
+    r.status = Status::left_out;
+    if (r.where.empty()) r.where = "not answered";
+  } else {
+    r.status = value <= limit ? Status::pass : Status::fail;
+  }
+  return r;
+}
+
+Result of_single(const Single& s, const Answerer& joint, const std::vector<Ask>& asks, double limit) {
+  std::vector<Ask> answered;
+  for (const Ask& ask : asks)
+    if (s.defect(joint, {ask}).worst.value() == s.defect(joint, {ask}).worst.value()) answered.push_back(ask);
+  const reference::Defect defect = s.defect(joint, answered.empty() ? asks : answered);
+  Result r = judged({s.id, s.title, s.law}, defect.worst.value(), limit, defect.worst.where());
+  if (r.status == Status::fail) r.at = defect.at;
+  return r;
+}
+
+/// The secant stiffness about each axis, from 1e-6 to 0.1 rad: one.
+Result stiffness(const Answerer& joint, const Hello& hello) {
+  reference::Measurement worst;
+  const double least = std::pow(10, -hello.digits / 2.6);  // below, its digits do not tell
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double phi : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+      const double seen = reference::secant_stiffness(joint, axis, phi);
+      if (phi >= least) worst.include(std::abs(seen - 1), fmt::format("{:.3g} of it about {} at {} rad", seen, "xyz"[axis], phi));
+    }
+  }
+  // cos(0.1) = 0.995, and sin and tan of it are a third of that away.
+  return judged({"level1/stiffness", "small turns meet the stiffness asked for", "m = K theta"}, worst.value(), 0.006, worst.where());
+}
+
+Result loop(const Answerer& joint, const char* id, const char* title, const Vec3<double>& k_f, const Vec3<double>& k_m,
+            bool moves, double limit) {
+  const double work = reference::loop_work(joint, k_f, k_m, moves);
+  return judged({id, title, "closed path: sum of m . w + f . v dt = 0"}, std::abs(work), limit,
+                fmt::format("{:+.3g} of the path", work));
+}
+
+/// A turn about one axis up to 179 degrees: where the moment is largest, and whether it is a number everywhere.
+Result range(const Answerer& joint) {
+  double folds = 180, at = 180;
+  bool finite = true;
+  std::string where;
+  for (int axis = 0; axis < 3; ++axis) {
+    double last = 0;
+    for (const double degrees : {15., 30., 45., 60., 75., 89., 91., 105., 120., 150., 179.}) {
+      const double phi = degrees * std::numbers::pi / 180;
+      const double moment = phi * reference::secant_stiffness(joint, axis, phi);
+      finite = finite && moment == moment;
+      if (!(moment >= last)) {
+        at = degrees;
+        break;
+      }
+      last = moment;
+    }
+    if (at < folds) folds = at, where = fmt::format("about {} the moment falls before {} degrees", "xyz"[axis], folds);
+  }
+  Result r{"level4/range", "the moment grows with the angle up to 179 degrees", "dm/dphi >= 0"};
+  r = judged(r, finite ? 180 - folds : NAN, 0, where);
+  return r;
+}
+
+}  // namespace
+
+double tolerance(const Hello& hello) { return 100 * std::pow(10, -hello.digits); }
+
+const std::vector<Single>& singles() {
+  static const std::vector<Single> all{
+      {"level3/force_balance", "what one body gets the other gives", "f_a + f_b = 0", &reference::force_balance},
+      {"level3/moment_balance", "moments about one point add to zero", "m_a + m_b + (x_b - x_a) x f_b = 0",
+       &reference::moment_balance},
+      {"level3/body_order", "the order of the bodies does not matter", "loads(b, a) = loads(a, b), exchanged",
+       &reference::body_order},
+      {"level3/objectivity", "a rigid turn of both bodies turns the loads and does nothing else",
+       "loads(Q a, Q b) = Q loads(a, b)", &reference::objectivity},
+      {"level3/masses", "masses and inertias do not matter", "loads(M) = loads(1)", &reference::mass_dependence},
+      {"level3/proportionality", "four times the stiffness gives four times the loads", "loads(4 K) = 4 loads(K)",
+       &reference::proportionality},
+      {"level4/double_cover", "q and -q are one rotation", "loads(-q) = loads(q)", &reference::double_cover},
+  };
+  return all;
+}
+
+std::vector<Ask> identity_asks(const Hello& hello) {
+  std::vector<Ask> out;
+  const auto add = [&](const std::vector<Ask>& more) { out.insert(out.end(), more.begin(), more.end()); };
+  add(poses(hello, 12, 0.05, 0.3, false));
+  add(poses(hello, 12, 0.3, 1.3, false));
+  if (hello.springs == Hello::Springs::isotropic) return out;
+  auto partial = poses(hello, 6, 0.1, 1.2, false);  // springs that are off
+  for (std::size_t i = 0; i < partial.size(); ++i) {
+    partial[i].K_m(int(i % 3), int(i % 3)) = 0;
+    if (i >= 3) partial[i].K_m(int((i + 1) % 3), int((i + 1) % 3)) = 0;
+  }
+  add(partial);
+  return out;
+}
+
+std::vector<Ask> family_asks(const Hello& hello) {
+  std::vector<Ask> out;
+  for (Ask ask : poses(hello, 12, 0.2, 1.3, false)) {
+    Ask turned = ask;
+    ask.K_m.setZero();
+    turned.K_f.setZero();
+    if (hello.linear_angular) out.push_back(ask);
+    out.push_back(turned);
+  }
+  return out;
+}
+
+std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_bond) {
+  std::vector<Result> out;
+  const double limit = tolerance(hello);
+  const auto asks = poses(hello, 16, 0.05, 1.3, as_bond);
+  if (!as_bond && hello.springs != Hello::Springs::isotropic) out.push_back(stiffness(joint, hello));
+  for (const Single& s : singles()) {
+    const bool needs_forces = std::string_view(s.id) == "level3/force_balance";
+    if (!needs_forces || hello.linear_angular) out.push_back(of_single(s, joint, asks, limit));
+  }
+  if (as_bond) return out;
+  const Vec3<double> none(0, 0, 0), one(10, 10, 10), three(1, 10, 100), hundred(100, 100, 100);
+  const bool is_one = hello.springs == Hello::Springs::isotropic;
+  const Vec3<double> still = is_one && hello.linear_angular ? one : none;
+  out.push_back(loop(joint, "level3/loop_one", "one stiffness does no work round a loop of turns", still, one, false, limit));
+  if (!is_one)
+    out.push_back(loop(joint, "level3/loop_three", "three stiffnesses do no work round a loop of turns", none, three, false, limit));
+  if (hello.linear_angular)
+    out.push_back(loop(joint, "level3/loop_six", "one stiffness each does no work round a loop of turns and moves",
+                       is_one ? one : hundred, one, true, limit));
+  if (!is_one) {
+    const auto tensor = reference::tensoriality(joint);
+    out.push_back(judged({"level2/tensoriality", "the measure knows no axes of its own", "e(Q R Q^T) = Q e(R)"},
+                         tensor.worst.value(), limit, tensor.worst.where()));
+    out.push_back(range(joint));
+  }
+  return out;
+}
+
+}  // namespace halfway::check
