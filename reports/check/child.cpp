@@ -40,6 +40,7 @@ std::vector<Outcome> Child::ask(const std::vector<std::string>& requests, Second
                                 kMostLostInARow, last_loss_));
       break;
     }
+    if (process_ && answers_ > 0 && process_->has_ended()) judge_end(round);  // since it was asked last
     if (!process_) start();
     talk(round, per_answer);
   }
@@ -83,9 +84,7 @@ void Child::talk(Round& round, Seconds per_answer) {
       judge_end(round);
     else if (!process_->takes_input() && round.under_way() == 0)
       stop(kLeave);  // the next one is another program's
-    else if (unclear_ >= std::max<std::size_t>(round.under_way(), 1))
-      judge_unclear(round, per_answer);
-    else
+    else if (!judge_unclear(round, per_answer))
       judge_silence(round, per_answer);
   }
 }
@@ -115,11 +114,11 @@ void Child::take(Round& round, const Line& line) {
   ++unclear_;
   last_unclear_time_ = Clock::now();
   last_unclear_ = std::move(reading.outcome);
-  if (last_unclear_.sort != Outcome::Sort::missing) {
-    const std::string words =
-        last_unclear_.words.empty() ? "" : fmt::format(", and says: {}", last_unclear_.words);
-    last_unclear_ = {.lost = Lost::wrong_id, .words = fmt::format("the answer has {}{}", *reading.id, words)};
-  }
+  if (last_unclear_.sort == Outcome::Sort::missing) return;
+  const std::string has = reading.id ? readable(*reading.id) : "no id";
+  const std::string says =
+      last_unclear_.words.empty() ? "" : fmt::format(", and says: {}", last_unclear_.words);
+  last_unclear_ = {.lost = Lost::wrong_id, .words = fmt::format("the answer has {}{}", has, says)};
 }
 
 void Child::settle(Round& round, const std::string& id, const Outcome& outcome) {
@@ -138,19 +137,23 @@ void Child::settle(Round& round, const std::string& id, const Outcome& outcome) 
   last_answer_ = Clock::now();
 }
 
-/// As many lines that look like answers as there are requests under way, to none of them.
-void Child::judge_unclear(Round& round, Seconds per_answer) {
+/// Are there as many lines that look like answers, to no request, as there are requests under way?
+bool Child::judge_unclear(Round& round, Seconds per_answer) {
+  if (round.under_way() == 0 || unclear_ < round.under_way()) return false;
   const Seconds quiet = Clock::now() - std::max(last_unclear_time_, last_answer_);
   // They may be logs between answers.
-  if (quiet < (last_answer_ > last_unclear_time_ ? kSilent * per_answer : Seconds(kUnclear))) return;
+  if (quiet < (last_answer_ > last_unclear_time_ ? kSilent * per_answer : Seconds(kUnclear))) return false;
   Outcome outcome = std::exchange(last_unclear_, {});
   unclear_ = 0;
-  if (round.under_way() == 0) return;
   if (outcome.lost == Lost::wrong_id)
     outcome.words = fmt::format("wrong id: asked {}, {}", readable(round.first()), outcome.words);
-  if (one_at_a_time_again(round, outcome.words)) return stop();
-  round.lose_first(outcome.lost, outcome.words);
-  last_answer_ = Clock::now();
+  if (one_at_a_time_again(round, outcome.words)) {
+    stop();
+  } else {
+    round.lose_first(outcome.lost, outcome.words);
+    last_answer_ = Clock::now();
+  }
+  return true;
 }
 
 void Child::judge_silence(Round& round, Seconds per_answer) {

@@ -71,7 +71,7 @@ class Child {
   void take(Round& round, const Line& line);
   void settle(Round& round, const std::string& id, const Outcome& outcome);
   void judge_silence(Round& round, Seconds per_answer);
-  void judge_unclear(Round& round, Seconds per_answer);
+  bool judge_unclear(Round& round, Seconds per_answer);
   void judge_end(Round& round);
   void lose(Round& round, Lost lost, const std::string& words);
   bool one_at_a_time_again(Round& round, const std::string& words);

@@ -163,11 +163,10 @@ Reading read_answer(const Line& line) {
   try {
     json value = json::parse(line.text);
     Reading reading{true, std::nullopt, {}};
-    reading.is_answer = value.contains("id");  // else a log in JSON
-    if (reading.is_answer) {
-      reading.id = id_key(value["id"]);
-      reading.outcome = outcome_of(std::move(value));
-    }
+    if (value.contains("id")) reading.id = id_key(value["id"]);
+    reading.is_answer = reading.id || value.contains("error") || value.contains("skipped") ||
+                        value.contains("loads");  // else a log in JSON
+    if (reading.is_answer) reading.outcome = outcome_of(std::move(value));
     return reading;
   } catch (const json::exception& e) {
     return broken(line, Lost::not_json, "not JSON: " + reason(e, line.text));

@@ -38,7 +38,7 @@ const char* to_string(Lost lost);
 std::string id_key(const nlohmann::json& id);
 
 struct Reading {
-  bool is_answer = false;         ///< else chatter: no JSON object, nor the beginning of one
+  bool is_answer = false;         ///< else chatter: no JSON object, nor the beginning of one; a log in JSON
   std::optional<std::string> id;  ///< its key, also where the rest of the line is broken
   Outcome outcome;                ///< if it answers the request of that id
 };

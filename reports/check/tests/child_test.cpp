@@ -254,10 +254,34 @@ BOOST_AUTO_TEST_CASE(wrong_ids) {
   BOOST_TEST(t.starts == 2);
   const Talk one = five("wrong_id", "p02", kShort);
   BOOST_TEST(one.summary() == "answered, wrong id, 3 answered");
+  const Talk none = five("no_id", "p01", kShort);
+  BOOST_TEST(none.summary() == "wrong id, 4 answered");
+  BOOST_TEST(none.words(1) == "wrong id: asked \"p01\", the answer has no id, and says: what is hello?");
+  BOOST_TEST(none.starts == 1);
   const Talk null = five("null_id", "p02", kShort);
   BOOST_TEST(null.summary() == "answered, wrong id, 3 answered");
   BOOST_TEST(null.words(2) ==
              "wrong id: asked \"p02\", the answer has null, and says: bad: cannot read this");
+}
+
+BOOST_AUTO_TEST_CASE(endless_answers_to_nothing) {
+  const Talk t = five("spam", "p05", kShort);
+  BOOST_TEST(t.summary() == "4 answered, timed out");
+  BOOST_TEST(t.words(5) ==
+             "timed out: no answer within 0.4 s; the last line that it printed: {\"id\":\"zzz\"}");
+  BOOST_TEST(t.chatter.count > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(gone_between_rounds) {
+  Child child(misbehaving("die_after", "p03"));
+  child.ask(requests(3), kLong);
+  usleep(50000);
+  const auto outcomes = child.ask({R"({"id":"q1"})", R"({"id":"q2"})", R"({"id":"q3"})"}, kLong);
+  for (const Outcome& o : outcomes) BOOST_TEST((o.sort == Sort::answered));
+  BOOST_TEST(child.groups().size() == 2u);
+  BOOST_TEST(child.remarks().size() == 1u);
+  BOOST_TEST(child.remarks()[0] ==
+             "it ended by SIGABRT (Aborted) after an answer; its last words: double free");
 }
 
 BOOST_AUTO_TEST_CASE(duplicated_ids) {

@@ -137,6 +137,11 @@ const std::map<std::string, Doing> kModes = {
      [](const std::string&) {
        say("{\"id\":null,\"error\":{\"code\":\"bad\",\"message\":\"cannot read this\"}}\n");
      }},
+    {"no_id", [](const std::string&) { say("{\"error\":\"what is hello?\"}\n"); }},
+    {"spam",
+     [](const std::string&) {
+       for (;;) say("{\"id\":\"zzz\"}\n");
+     }},
     {"twice",
      [](const std::string& id) {
        answer(id);
