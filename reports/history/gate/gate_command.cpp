@@ -1,5 +1,6 @@
 // halfway gate: two commits, timed in turn on this machine.
 #include "reports/cli/errors.hpp"
+#include "reports/cli/interrupts.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/history/gate/commands.hpp"
@@ -125,7 +126,7 @@ void run(const GateOptions& o) {
   } catch (const std::regex_error&) {
     throw reports::BadInput(fmt::format("--filter: '{}' is not a regular expression", o.bench.filter));
   }
-  catch_interrupts();
+  reports::catch_interrupts();
   o.self > 0 ? run_self(o) : run_gate(o);
 }
 

@@ -1,6 +1,7 @@
 #include "reports/history/gate/process.hpp"
 
 #include "reports/cli/errors.hpp"
+#include "reports/cli/interrupts.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,8 +17,6 @@
 
 namespace halfway::gate {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 std::string last_line(const std::filesystem::path& log) {
   std::ifstream in(log);
@@ -63,13 +62,6 @@ pid_t start(std::vector<std::string> words, const std::filesystem::path& log,
 
 }  // namespace
 
-void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = [](int) { interrupted = 1; };
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
 std::string run(const std::vector<std::string>& words, const std::filesystem::path& log, double seconds,
                 const std::map<std::string, std::string>& environment) {
   const pid_t child = start(words, log, environment_with(environment));
@@ -78,10 +70,10 @@ std::string run(const std::vector<std::string>& words, const std::filesystem::pa
   bool late = false;
   while (waitpid(child, &status, WNOHANG) == 0) {
     late = late || std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds);
-    if (late || interrupted) kill(child, SIGKILL);
+    if (late || reports::interrupted()) kill(child, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  if (interrupted) throw reports::FailedRun("interrupted; the same command goes on from there");
+  if (reports::interrupted()) throw reports::FailedRun("interrupted; the same command goes on from there");
   if (late) return fmt::format("took longer than {:g} s", seconds);
   if (WIFSIGNALED(status))
     return fmt::format("ended by signal {} ({}): {}", WTERMSIG(status), strsignal(WTERMSIG(status)),
