@@ -51,6 +51,8 @@ double named_scale(double scale, double tolerance) {
   return scale;
 }
 
+constexpr double kNamed = 1e-3;  // how far a scale may be from one that has a name
+
 struct Near {
   Identity identity;
   int oddities = 0;
@@ -86,22 +88,32 @@ Identity identify(const std::vector<Answered>& answers, const std::vector<Candid
         const bool is_exchanged = (c.hearing == Hearing::bodies_exchanged) != c.answers_exchanged;
         fit.add(answers[i].loads, is_exchanged ? exchanged(ours) : ours, c.moments_first);
       }
-      const double loose = larger(1e-3, 3 * tolerance);
-      c.force_scale = named_scale(fit.forces.scale(), loose);
-      c.moment_scale = named_scale(fit.moments.scale(), loose);
-      if (fit.forces.ours == 0) c.force_scale = std::copysign(1., c.moment_scale);
-      if (fit.moments.ours == 0) c.moment_scale = std::copysign(1., c.force_scale);
-      const double distance = fit.distance(c.force_scale, c.moment_scale);
-      if (distance == distance) all.push_back({{candidate.name, c, distance, {}}, c.oddities()});
+      const auto keep = [&](double force_scale, double moment_scale, double most) {
+        // Of no forces, or no moments, the scale is the other one's.
+        c.force_scale = fit.forces.ours == 0 ? std::copysign(1., moment_scale) : force_scale;
+        c.moment_scale = fit.moments.ours == 0 ? std::copysign(1., force_scale) : moment_scale;
+        const double distance = fit.distance(c.force_scale, c.moment_scale);
+        if (distance <= most) all.push_back({{candidate.name, c, distance, {}}, c.oddities()});
+      };
+      const double force = fit.forces.scale(), moment = fit.moments.scale();
+      keep(std::copysign(1., force), std::copysign(1., moment), std::numeric_limits<double>::max());
+      // Other scales alone where they make it the same joint: they would bring a stranger nearer, too.
+      keep(named_scale(force, kNamed), named_scale(moment, kNamed), tolerance);
     }
   }
   if (all.empty()) return {};
   const double best =
       std::ranges::min_element(all, {}, [](const Near& n) { return n.identity.distance; })->identity.distance;
   const double near = larger(3 * best, tolerance);
+  const bool is_stranger = best > tolerance;  // then the nearest counts, else the list's order
   const Near* chosen = nullptr;
-  for (const Near& n : all)
-    if (n.identity.distance <= near && (chosen == nullptr || n.oddities < chosen->oddities)) chosen = &n;
+  for (const Near& n : all) {
+    if (n.identity.distance > near) continue;
+    const bool simpler = chosen == nullptr || n.oddities < chosen->oddities;
+    const bool nearer = chosen != nullptr && n.oddities == chosen->oddities &&
+                        n.identity.distance < chosen->identity.distance;
+    if (simpler || (is_stranger && nearer)) chosen = &n;
+  }
   Identity out = chosen->identity;
   for (const Near& n : all) {
     const bool same =

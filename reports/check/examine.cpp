@@ -9,6 +9,7 @@ namespace halfway::check {
 namespace {
 
 using reference::Springs;
+using reference::times;
 
 Springs springs_of(const Hello& hello) {
   return hello.springs == Hello::Springs::isotropic ? Springs::isotropic : Springs::diagonal;
@@ -17,14 +18,17 @@ Springs springs_of(const Hello& hello) {
 /// As the program can be asked.
 std::vector<Ask> adapted(std::vector<Ask> asks, const Hello& hello) {
   for (Ask& ask : asks) {
-    if (hello.springs == Hello::Springs::isotropic) ask.K_f = ask.K_m = ask.K_m(0, 0) * Mat3<double>::Identity();
+    if (hello.springs == Hello::Springs::isotropic)
+      ask.K_f = ask.K_m = ask.K_m(0, 0) * Mat3<double>::Identity();
     if (hello.frames && hello.linear_angular) continue;
     // Body b is moved so that the joint frames lie as they lay.
-    const Vec3<double> theta = so3::log<double>(Mat3<double>(reference::matrix_of(times(ask.a.q, ask.a.h)).transpose() *
-                                                             reference::matrix_of(times(ask.b.q, ask.b.h))));
+    const Vec3<double> theta =
+        so3::log<double>(Mat3<double>(reference::matrix_of(times(ask.a.q, ask.a.h)).transpose() *
+                                      reference::matrix_of(times(ask.b.q, ask.b.h))));
     if (!hello.frames) ask.b.o.setZero(), ask.b.h = Eigen::Vector4d(1, 0, 0, 0);
     if (!hello.linear_angular) ask.K_f.setZero();
-    reference::place_b(ask, theta, hello.linear_angular ? Vec3<double>(0.2, -0.1, 0.15) : Vec3<double>(0, 0, 0));
+    reference::place_b(ask, theta,
+                       hello.linear_angular ? Vec3<double>(0.2, -0.1, 0.15) : Vec3<double>(0, 0, 0));
   }
   return asks;
 }
@@ -63,42 +67,43 @@ Result stiffness(const Answerer& joint, const Hello& hello) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double phi : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
       const double seen = reference::secant_stiffness(joint, axis, phi);
-      if (phi >= least) worst.include(std::abs(seen - 1), fmt::format("{:.3g} of it about {} at {} rad", seen, "xyz"[axis], phi));
+      if (phi >= least)
+        worst.include(std::abs(seen - 1),
+                      fmt::format("{:.3g} of it about {} at {} rad", seen, "xyz"[axis], phi));
     }
   }
   // cos(0.1) = 0.995, and sin and tan of it are a third of that away.
-  return judged({"level1/stiffness", "small turns meet the stiffness asked for", "m = K theta"}, worst.value(), 0.006, worst.where());
+  return judged({"level1/stiffness", "small turns meet the stiffness asked for", "m = K theta"},
+                worst.value(), 0.006, worst.where());
 }
 
-Result loop(const Answerer& joint, const char* id, const char* title, const Vec3<double>& k_f, const Vec3<double>& k_m,
-            bool moves, double limit) {
+Result loop(const Answerer& joint, const char* id, const char* title, const Vec3<double>& k_f,
+            const Vec3<double>& k_m, bool moves, double limit) {
   const double work = reference::loop_work(joint, k_f, k_m, moves);
   return judged({id, title, "closed path: sum of m . w + f . v dt = 0"}, std::abs(work), limit,
                 fmt::format("{:+.3g} of the path", work));
 }
 
-/// A turn about one axis up to 179 degrees: where the moment is largest, and whether it is a number everywhere.
+/// A turn about one axis up to 179 degrees: before which angle the moment falls.
 Result range(const Answerer& joint) {
-  double folds = 180, at = 180;
+  constexpr double kDegrees[] = {15, 30, 45, 60, 75, 89, 91, 105, 120, 150, 179};
+  double least = 180;
   bool finite = true;
-  std::string where;
+  std::string where = "on none of the axes before 179 degrees";
   for (int axis = 0; axis < 3; ++axis) {
-    double last = 0;
-    for (const double degrees : {15., 30., 45., 60., 75., 89., 91., 105., 120., 150., 179.}) {
-      const double phi = degrees * std::numbers::pi / 180;
-      const double moment = phi * reference::secant_stiffness(joint, axis, phi);
+    double last = 0, falls = 180;
+    for (const double degrees : kDegrees) {  // all of them are asked, whatever the answers
+      const double phi = degrees * std::numbers::pi / 180,
+                   moment = phi * reference::secant_stiffness(joint, axis, phi);
       finite = finite && moment == moment;
-      if (!(moment >= last)) {
-        at = degrees;
-        break;
-      }
+      if (!(moment >= last) && falls == 180) falls = degrees;
       last = moment;
     }
-    if (at < folds) folds = at, where = fmt::format("about {} the moment falls before {} degrees", "xyz"[axis], folds);
+    if (falls < least)
+      least = falls, where = fmt::format("about {} the moment falls before {} degrees", "xyz"[axis], falls);
   }
-  Result r{"level4/range", "the moment grows with the angle up to 179 degrees", "dm/dphi >= 0"};
-  r = judged(r, finite ? 180 - folds : NAN, 0, where);
-  return r;
+  return judged({"level4/range", "the moment grows with the angle up to 179 degrees", "dm/dphi >= 0"},
+                finite ? 180 - least : NAN, 0, finite ? where : "not answered");
 }
 
 }  // namespace
@@ -107,16 +112,18 @@ double tolerance(const Hello& hello) { return 100 * std::pow(10, -hello.digits);
 
 const std::vector<Single>& singles() {
   static const std::vector<Single> all{
-      {"level3/force_balance", "what one body gets the other gives", "f_a + f_b = 0", &reference::force_balance},
+      {"level3/force_balance", "what one body gets the other gives", "f_a + f_b = 0",
+       &reference::force_balance},
       {"level3/moment_balance", "moments about one point add to zero", "m_a + m_b + (x_b - x_a) x f_b = 0",
        &reference::moment_balance},
       {"level3/body_order", "the order of the bodies does not matter", "loads(b, a) = loads(a, b), exchanged",
        &reference::body_order},
       {"level3/objectivity", "a rigid turn of both bodies turns the loads and does nothing else",
        "loads(Q a, Q b) = Q loads(a, b)", &reference::objectivity},
-      {"level3/masses", "masses and inertias do not matter", "loads(M) = loads(1)", &reference::mass_dependence},
-      {"level3/proportionality", "four times the stiffness gives four times the loads", "loads(4 K) = 4 loads(K)",
-       &reference::proportionality},
+      {"level3/masses", "masses and inertias do not matter", "loads(M) = loads(1)",
+       &reference::mass_dependence},
+      {"level3/proportionality", "four times the stiffness gives four times the loads",
+       "loads(4 K) = 4 loads(K)", &reference::proportionality},
       {"level4/double_cover", "q and -q are one rotation", "loads(-q) = loads(q)", &reference::double_cover},
   };
   return all;
@@ -162,16 +169,20 @@ std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_b
   const Vec3<double> none(0, 0, 0), one(10, 10, 10), three(1, 10, 100), hundred(100, 100, 100);
   const bool is_one = hello.springs == Hello::Springs::isotropic;
   const Vec3<double> still = is_one && hello.linear_angular ? one : none;
-  out.push_back(loop(joint, "level3/loop_one", "one stiffness does no work round a loop of turns", still, one, false, limit));
+  out.push_back(loop(joint, "level3/loop_one", "one stiffness does no work round a loop of turns", still, one,
+                     false, limit));
   if (!is_one)
-    out.push_back(loop(joint, "level3/loop_three", "three stiffnesses do no work round a loop of turns", none, three, false, limit));
+    out.push_back(loop(joint, "level3/loop_three", "three stiffnesses do no work round a loop of turns", none,
+                       three, false, limit));
   if (hello.linear_angular)
-    out.push_back(loop(joint, "level3/loop_six", "one stiffness each does no work round a loop of turns and moves",
+    out.push_back(loop(joint, "level3/loop_six",
+                       "one stiffness each does no work round a loop of turns and moves",
                        is_one ? one : hundred, one, true, limit));
   if (!is_one) {
     const auto tensor = reference::tensoriality(joint);
-    out.push_back(judged({"level2/tensoriality", "the measure knows no axes of its own", "e(Q R Q^T) = Q e(R)"},
-                         tensor.worst.value(), limit, tensor.worst.where()));
+    out.push_back(
+        judged({"level2/tensoriality", "the measure knows no axes of its own", "e(Q R Q^T) = Q e(R)"},
+               tensor.worst.value(), limit, tensor.worst.where()));
     out.push_back(range(joint));
   }
   return out;

@@ -41,7 +41,8 @@ std::vector<Ask> family_asks(const Hello& hello);
 /// What a relative defect may be: a hundred roundings of the program's digits.
 double tolerance(const Hello& hello);
 
-/// Every property, asked through `joint`, which is in our convention. @param as_bond  the joint points rest apart
+/// Every property, asked through `joint`, which is in our convention. @param as_bond  the joint points rest
+/// apart
 std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_bond);
 
 }  // namespace halfway::check

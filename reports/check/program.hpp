@@ -22,8 +22,8 @@ struct Hello {
 /// What became of a question.
 struct Said {
   std::optional<TwelveLoads> loads;
-  bool skipped = false;   ///< it said that it cannot
-  std::string why{};      ///< no loads: its reason, or what it did instead
+  bool skipped = false;  ///< it said that it cannot
+  std::string why{};     ///< no loads: its reason, or what it did instead
 };
 
 class Program {
@@ -41,7 +41,8 @@ class Program {
 
 /// @param command  split into words, no shell    @param seconds  for each answer
 /// @param fields   JSON object, merged into every request: {"formulation": "invariant"} for `halfway eval`
-std::unique_ptr<Program> running_program(const std::string& command, double seconds, const std::string& fields);
+std::unique_ptr<Program> running_program(const std::string& command, double seconds,
+                                         const std::string& fields);
 
 /// @param file  JSON lines as a program would have answered, a hello among them or none
 std::unique_ptr<Program> answered_program(const std::string& file);

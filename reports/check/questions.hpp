@@ -1,5 +1,5 @@
-// The questions of a check, written down before any is asked: whoever needs an answer asks twice, once to have the question
-// put on the list and once to read what was said.
+// The questions of a check, written down before any is asked: whoever needs an answer asks twice, once to
+// have the question put on the list and once to read what was said.
 #pragma once
 
 #include "reference/programs/ask.hpp"
@@ -23,7 +23,8 @@ class Questions {
   /// Reads the answers; NaN where there is none.
   Answerer reader() const;
 
-  /// Ids that never change as long as the group's questions do not: group/001, ... Equal questions stand once.
+  /// Ids that never change as long as the group's questions do not: group/001, ... Equal questions stand
+  /// once.
   const std::vector<std::string>& ids() const { return ids_; }
   const std::vector<Ask>& asks() const { return asks_; }
 

@@ -1,0 +1,104 @@
+// A failure as a file that somebody else can act on.
+#include "reports/check/verdict.hpp"
+#include "reports/views/files.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace halfway::check {
+namespace {
+
+/// Questions that are simpler than this one by one thing.
+std::vector<Ask> simpler(const Ask& ask) {
+  std::vector<Ask> out;
+  const auto with = [&](const auto& change) {
+    Ask other = ask;
+    change(other);
+    if (reference::request(other) != reference::request(ask)) out.push_back(other);
+  };
+  with([](Ask& a) { a.a = {}, a.b.x -= a.a.x; });
+  with([](Ask& a) { a.a.o.setZero(), a.b.o.setZero(); });
+  with([](Ask& a) { a.a.h = a.b.h = Eigen::Vector4d(1, 0, 0, 0); });
+  with([](Ask& a) { a.a.x.setZero(); });
+  with([](Ask& a) { a.a.q = Eigen::Vector4d(1, 0, 0, 0); });
+  with([](Ask& a) { a.K_m.setZero(); });
+  with([](Ask& a) { a.K_f.setZero(); });
+  for (int i = 0; i < 3; ++i) {
+    with([i](Ask& a) { a.b.x[i] = 0; });
+    with([i](Ask& a) { a.b.q[i + 1] = 0, a.b.q.normalize(); });
+    with([i](Ask& a) { a.K_f(i, i) = 1; });
+    with([i](Ask& a) { a.K_m(i, i) = 1; });
+    with([i](Ask& a) { a.b.x[i] = std::round(a.b.x[i] * 10) / 10; });
+  }
+  return out;
+}
+
+/// The simplest question found that still fails by at least a tenth as much.
+Ask smallest(Ask ask, const Single& property, const Answerer& joint, double limit) {
+  const double least = std::max(limit, 0.1 * property.defect(joint, {ask}).worst.value());
+  for (bool found = true; found;) {
+    found = false;
+    for (const Ask& other : simpler(ask)) {
+      if (!(property.defect(joint, {other}).worst.value() > least)) continue;
+      ask = other;
+      found = true;
+      break;
+    }
+  }
+  return ask;
+}
+
+nlohmann::json list(const TwelveLoads& q) { return std::vector<double>(q.data(), q.data() + 12); }
+
+/// As the program was asked, in its own words, and what it said.
+struct Exchange {
+  Ask asked;
+  std::optional<TwelveLoads> said;
+};
+
+std::string file_name(const std::string& folder, std::string id) {
+  std::ranges::replace(id, '/', '.');
+  return folder + "/" + id + ".json";
+}
+
+}  // namespace
+
+std::vector<std::string> write_failures(const Verdict& v, const std::string& folder, Program& program) {
+  std::vector<Exchange> exchanges;
+  const Answerer heard = [&](const Ask& ask) -> TwelveLoads {
+    const auto said = program.is_live() ? program.ask({"again"}, {ask})[0].loads : std::nullopt;
+    exchanges.push_back({ask, said});
+    return said.value_or(TwelveLoads::Constant(std::numeric_limits<double>::quiet_NaN()));
+  };
+  const Answerer joint = reference::translated(heard, v.identity.convention);
+  const auto line = [&](const Ask& ask) { return request_line("again", ask, !v.hello.linear_angular, ""); };
+  std::vector<std::string> files;
+  for (const Result& r : v.results) {
+    const auto property = std::ranges::find(singles(), r.id, &Single::id);
+    if (!r.at || property == singles().end()) continue;
+    const Ask ask = program.is_live() ? smallest(*r.at, *property, joint, r.limit) : *r.at;
+    exchanges.clear();
+    const double again = property->defect(joint, {ask}).worst.value(),
+                 defect = program.is_live() ? again : r.value;
+    nlohmann::ordered_json out{{"id", r.id},
+                               {"held", r.title},
+                               {"equation", r.law},
+                               {"defect", defect},
+                               {"limit", r.limit},
+                               {"digits_lost", std::log10(defect / r.limit)},
+                               {"convention", v.identity.convention.words()}};
+    for (const Exchange& e : exchanges) {
+      nlohmann::ordered_json one{{"request", nlohmann::ordered_json::parse(line(e.asked))}};
+      if (e.said) one["loads"] = list(*e.said);
+      out["asked"].push_back(one);
+    }
+    out["repeat"] = program.repeat(line(exchanges.front().asked));
+    files.push_back(file_name(folder, r.id));
+    reports::write_file(files.back(), out.dump(1) + "\n");
+  }
+  return files;
+}
+
+}  // namespace halfway::check

@@ -1,0 +1,120 @@
+#include "reports/check/run_check.hpp"
+
+#include "reports/check/wrong_twins.hpp"
+
+#include <fmt/format.h>
+
+namespace halfway::check {
+namespace {
+
+using reference::Answered;
+
+class Checking {
+ public:
+  Checking(Program& program, bool as_bond, const Told& told)
+      : program_(program), as_bond_(as_bond), told_(told) {}
+
+  Verdict run() {
+    verdict_.hello = program_.hello();
+    identify();
+    examine_all();
+    verdict_.remarks = program_.remarks();
+    return verdict_;
+  }
+
+ private:
+  /// Asks what is on the list and has not been asked.
+  void ask_rest(const std::string& what) {
+    constexpr std::size_t kAtOnce = 64;
+    while (asked_ < questions_.size()) {
+      told_(int(asked_), int(questions_.size()), what);
+      const std::size_t end = std::min(asked_ + kAtOnce, questions_.size());
+      const std::vector<std::string> ids(questions_.ids().begin() + long(asked_),
+                                         questions_.ids().begin() + long(end));
+      const std::vector<Ask> asks(questions_.asks().begin() + long(asked_),
+                                  questions_.asks().begin() + long(end));
+      const auto said = program_.ask(ids, asks);
+      for (std::size_t i = 0; i < said.size(); ++i) keep(asked_ + i, said[i]);
+      asked_ = end;
+    }
+  }
+
+  void keep(std::size_t i, const Said& said) {
+    ++verdict_.asked;
+    if (said.loads) {
+      questions_.answer(i, *said.loads);
+      ++verdict_.answered;
+    } else if (said.skipped) {
+      ++verdict_.skipped;
+    } else {
+      verdict_.lost.push_back(questions_.ids()[i] + ": " + said.why);
+    }
+  }
+
+  std::vector<Answered> answered(const std::vector<Ask>& asks, const Answerer& read) const {
+    std::vector<Answered> out;
+    for (const Ask& ask : asks) {
+      const TwelveLoads loads = read(ask);
+      if (loads.allFinite()) out.push_back({ask, loads});
+    }
+    return out;
+  }
+
+  void identify() {
+    const auto asks = identity_asks(verdict_.hello);
+    const Answerer write = questions_.writer("level1/identity");
+    for (const Ask& ask : asks) write(ask);
+    ask_rest("who is it");
+    auto candidates = reference::known_joints();
+    for (auto& twin : wrong_twins()) candidates.push_back(std::move(twin));
+    const double near = tolerance(verdict_.hello);
+    verdict_.identity = reference::identify(answered(asks, questions_.reader()), candidates, near);
+    verdict_.is_known = verdict_.identity.distance <= near;
+    if (verdict_.is_known || verdict_.identity.name.empty()) return;
+    const auto more = family_asks(verdict_.hello);
+    const Answerer translated =
+        reference::translated(questions_.writer("level1/family"), verdict_.identity.convention);
+    for (const Ask& ask : more) translated(ask);
+    ask_rest("which family");
+    verdict_.family = reference::fit_family(
+        answered(more, reference::translated(questions_.reader(), verdict_.identity.convention)));
+  }
+
+  void examine_all() {
+    const auto& convention = verdict_.identity.convention;
+    examine(reference::translated(questions_.writer("level2"), convention), verdict_.hello, as_bond_);
+    ask_rest("what it does");
+    verdict_.results =
+        examine(reference::translated(questions_.reader(), convention), verdict_.hello, as_bond_);
+  }
+
+  Program& program_;
+  bool as_bond_;
+  const Told& told_;
+  Questions questions_;
+  std::size_t asked_ = 0;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Verdict run_check(Program& program, bool as_bond, const Told& told) {
+  return Checking(program, as_bond, told).run();
+}
+
+std::string all_questions(const Hello& hello, bool as_bond) {
+  Questions questions;
+  const auto write_all = [&](const char* group, const std::vector<Ask>& asks) {
+    const Answerer write = questions.writer(group);
+    for (const Ask& ask : asks) write(ask);
+  };
+  write_all("level1/identity", identity_asks(hello));
+  write_all("level1/family", family_asks(hello));
+  examine(questions.writer("level2"), hello, as_bond);
+  std::string out;
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    out += request_line(questions.ids()[i], questions.asks()[i], !hello.linear_angular, "") + "\n";
+  return out;
+}
+
+}  // namespace halfway::check

@@ -1,0 +1,43 @@
+#include "reports/check/wrong_twins.hpp"
+
+#include "verify/oracle/mutants/forms.hpp"
+
+namespace halfway::check {
+namespace {
+
+namespace wrong = verify::wrong;
+using reference::Ask;
+using reference::TwelveLoads;
+
+/// A wrong half-way joint of the rotation vector.
+template <class Parts>
+reference::Candidate twin(const char* name) {
+  return {name, [](const Ask& ask) -> TwelveLoads {
+            const auto s = reference::situation<double>(ask);
+            reference::JointSpec spec;
+            spec.kind = Kind::linear_angular;
+            spec.a = s.end_a, spec.b = s.end_b;
+            Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
+            K.topLeftCorner<3, 3>() = s.K_f;
+            K.bottomRightCorner<3, 3>() = s.K_m;
+            spec.law = reference::LinearSpec{K, false};
+            return wrong::Projected<Parts>::template loads<double>(spec, s.a, s.b);
+          }};
+}
+
+}  // namespace
+
+std::vector<reference::Candidate> wrong_twins() {
+  return {twin<wrong::HalfRate>(
+              "invariant, but half rate: its frame turns at half the sum of the spins, so the force acts "
+              "in the middle"),
+          twin<wrong::ProjectedWithNodeA>(
+              "invariant, but projected with node a (MBDyn's invariant deformable joint)"),
+          twin<wrong::TransposedFrame>("invariant, but with its half-way frame transposed"),
+          twin<wrong::SpinNotTransposed>("invariant, but with the spin of its frame not transposed"),
+          twin<wrong::OffsetWithoutArm>("invariant, but without the arm of b's force"),
+          twin<wrong::OffsetCarriedByNodeA>("invariant, but with b's offset carried by node a"),
+          twin<wrong::NoArmMoment>("invariant, but with equal and opposite moments at both joint points")};
+}
+
+}  // namespace halfway::check
