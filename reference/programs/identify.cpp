@@ -10,22 +10,31 @@
 namespace halfway::reference {
 namespace {
 
-/// Sums for scales and distance: of forces and of moments, each question over its own size.
-struct Sums {
-  double theirs = 0, ours = 0, both = 0;
+/// Vectors of theirs and ours, each question's over its own size.
+struct Pairs {
+  std::vector<std::pair<Vec3<double>, Vec3<double>>> all;
+
   void add(const Vec3<double>& their, const Vec3<double>& our, double size) {
-    if (size == 0) return;
-    theirs += their.squaredNorm() / (size * size);
-    ours += our.squaredNorm() / (size * size);
-    both += their.dot(our) / (size * size);
+    if (size > 0) all.emplace_back(their / size, our / size);
   }
-  double scale() const { return ours > 0 ? both / ours : 1; }
-  /// Squares left with this scale.
-  double left(double scale) const { return std::max(0., theirs - 2 * scale * both + scale * scale * ours); }
+  bool has_ours() const {
+    return std::ranges::any_of(all, [](const auto& pair) { return !pair.second.isZero(0); });
+  }
+  /// Ours so many times is nearest to theirs.
+  double scale() const {
+    double both = 0, ours = 0;
+    for (const auto& [their, our] : all) both += their.dot(our), ours += our.squaredNorm();
+    return ours > 0 ? both / ours : 1;
+  }
+  double left(double scale) const {
+    double sum = 0;
+    for (const auto& [their, our] : all) sum += (their - scale * our).squaredNorm();
+    return sum;
+  }
 };
 
 struct Fit {
-  Sums forces, moments;
+  Pairs forces, moments;
   int count = 0;
 
   void add(const TwelveLoads& their, const TwelveLoads& our, bool moments_first) {
@@ -65,7 +74,7 @@ std::vector<Candidate> known_joints() {
   for (const Entry& entry : formulations())
     if (!entry.needs_xi) out.push_back({std::string(entry.name), answerer(entry, entry.probe_xi)});
   for (const ProgramJoint& joint : program_joints())
-    out.push_back({std::string(joint.name), joint.in_double});
+    out.push_back({std::string(joint.name), joint.in_double, joint.facts.isotropic_moments});
   return out;
 }
 
@@ -90,8 +99,8 @@ Identity identify(const std::vector<Answered>& answers, const std::vector<Candid
       }
       const auto keep = [&](double force_scale, double moment_scale, double most) {
         // Of no forces, or no moments, the scale is the other one's.
-        c.force_scale = fit.forces.ours == 0 ? std::copysign(1., moment_scale) : force_scale;
-        c.moment_scale = fit.moments.ours == 0 ? std::copysign(1., force_scale) : moment_scale;
+        c.force_scale = !fit.forces.has_ours() ? std::copysign(1., moment_scale) : force_scale;
+        c.moment_scale = !fit.moments.has_ours() ? std::copysign(1., force_scale) : moment_scale;
         const double distance = fit.distance(c.force_scale, c.moment_scale);
         if (distance <= most) all.push_back({{candidate.name, c, distance, {}}, c.oddities()});
       };

@@ -12,6 +12,7 @@ namespace halfway::reference {
 struct Candidate {
   std::string name;
   Answerer answer;
+  bool is_isotropic = false;  ///< it takes one stiffness
 };
 
 /// The catalog's formulations (those with a free xi at none) and the joints of programs.

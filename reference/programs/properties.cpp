@@ -226,8 +226,12 @@ double free_spin(const Answerer& joint, int shaft) {
   return worst;
 }
 
-double secant_stiffness(const Answerer& joint, int axis, double phi) {
-  return moment(joint, Mat3<double>::Identity(), phi * Vec3<double>::Unit(axis))[axis] / phi;
+double secant_stiffness(const Answerer& joint, int axis, double phi, double k_f) {
+  Ask ask;
+  ask.K_f = k_f * Mat3<double>::Identity();
+  ask.K_m = Mat3<double>::Identity();
+  ask.b.q = quaternion_of(phi * Vec3<double>::Unit(axis));
+  return part(joint(ask), 3)[axis] / phi;
 }
 
 SecondOrder second_order(const Answerer& joint, double digits) {

@@ -57,8 +57,9 @@ double loop_work(const Answerer& joint, const Vec3<double>& k_f, const Vec3<doub
 /// next axis: the moment on b stays k 0.2 about it. Largest error over two turns, over k 0.2.
 double free_spin(const Answerer& joint, int shaft);
 
-/// Moment on b over k phi, a turn by phi about one axis, k = 1 N m/rad.
-double secant_stiffness(const Answerer& joint, int axis, double phi);
+/// Moment on b over k phi, a turn by phi about one axis, k = 1 N m/rad. @param k_f  N/m: some programs take
+/// one number alone
+double secant_stiffness(const Answerer& joint, int axis, double phi, double k_f = 0);
 
 /// m = K theta + 1/2 theta x K theta + (b1 th2 th3, b2 th3 th1, b3 th1 th2) + O(3), K_m = diag(2, 3, 7).
 struct SecondOrder {

@@ -66,7 +66,7 @@ Result stiffness(const Answerer& joint, const Hello& hello) {
   const double least = std::pow(10, -hello.digits / 2.6);  // below, its digits do not tell
   for (int axis = 0; axis < 3; ++axis) {
     for (const double phi : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
-      const double seen = reference::secant_stiffness(joint, axis, phi);
+      const double seen = reference::secant_stiffness(joint, axis, phi, hello.linear_angular ? 1 : 0);
       if (phi >= least)
         worst.include(std::abs(seen - 1),
                       fmt::format("{:.3g} of it about {} at {} rad", seen, "xyz"[axis], phi));
@@ -160,7 +160,7 @@ std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_b
   std::vector<Result> out;
   const double limit = tolerance(hello);
   const auto asks = poses(hello, 16, 0.05, 1.3, as_bond);
-  if (!as_bond && hello.springs != Hello::Springs::isotropic) out.push_back(stiffness(joint, hello));
+  if (!as_bond) out.push_back(stiffness(joint, hello));
   for (const Single& s : singles()) {
     const bool needs_forces = std::string_view(s.id) == "level3/force_balance";
     if (!needs_forces || hello.linear_angular) out.push_back(of_single(s, joint, asks, limit));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halfway::check {
 namespace {
 
@@ -67,6 +69,8 @@ class Checking {
     ask_rest("who is it");
     auto candidates = reference::known_joints();
     for (auto& twin : wrong_twins()) candidates.push_back(std::move(twin));
+    if (verdict_.hello.springs == Hello::Springs::isotropic)  // who takes one stiffness, too, is named first
+      std::ranges::stable_partition(candidates, [](const auto& c) { return c.is_isotropic; });
     const double near = tolerance(verdict_.hello);
     verdict_.identity = reference::identify(answered(asks, questions_.reader()), candidates, near);
     verdict_.is_known = verdict_.identity.distance <= near;

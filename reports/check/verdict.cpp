@@ -24,13 +24,20 @@ std::string digits(double distance) {
   return distance > 0 ? fmt::format("to {:.1f} digits", -std::log10(distance)) : "in every digit";
 }
 
+/// The first few of the others, in words.
+std::string others(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 4;
+  if (names.empty()) return "";
+  const std::size_t shown = std::min(kShown, names.size());
+  const std::vector<std::string> first(names.begin(), names.begin() + long(shown));
+  return fmt::format("; the same answers: {}{}", fmt::join(first, ", "),
+                     names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
+}
+
 std::string who(const Verdict& v) {
   const reference::Identity& id = v.identity;
   if (id.name.empty()) return "unknown: no question was answered";
-  if (v.is_known)
-    return fmt::format(
-        "{} ({}){}", id.name, digits(id.distance),
-        id.as_well.empty() ? "" : fmt::format("; the same answers: {}", fmt::join(id.as_well, ", ")));
+  if (v.is_known) return fmt::format("{} ({}){}", id.name, digits(id.distance), others(id.as_well));
   const std::string nearest = fmt::format("nearest: {}, {:.2g} away", id.name, id.distance);
   if (v.family.distance < 0.02)
     return fmt::format("unknown, of the family: {} ({}); {}", v.family.words(), digits(v.family.distance),

@@ -30,13 +30,12 @@ struct MujocoWeld {
   }
 };
 
-/// To the world: node a gets nothing.
+/// A spring to the world, whose pose at rest is that of joint frame a: body a gets nothing.
 struct MujocoFree {
   static constexpr const char* name = "mujoco_free";
   static constexpr const char* stands_for = "MuJoCo free joint stiffness (to the world)";
   static constexpr ProgramFacts facts{.source = "MuJoCo 2.2.2, 5e-16; one stiffness for everything",
                                       .balanced = false,
-                                      .objective = false,
                                       .isotropic_conservative = true,
                                       .tensorial = true,
                                       .isotropic_moments = true,
@@ -44,9 +43,11 @@ struct MujocoFree {
 
   template <class T>
   static TwelveLoads<T> at_nodes(const Situation<T>& s) {
-    TwelveLoads<T> q = TwelveLoads<T>::Zero();
-    q.template segment<3>(6) = s.K_f * s.b.x;
-    q.template segment<3>(9) = s.K_m * so3::log<T>(s.b.R);
+    const Mat3<T> P_a = frame_a(s);
+    const Mat3<T> R = P_a.transpose() * frame_b(s);
+    const Vec3<T> force = s.K_f * Vec3<T>(P_a.transpose() * reach(s)), moment = s.K_m * so3::log<T>(R);
+    TwelveLoads<T> q = carried<T>(s, P_a * force, Vec3<T>(Vec3<T>::Zero()), P_a * moment);
+    q.template head<6>().setZero();
     return q;
   }
 };
