@@ -137,16 +137,22 @@ void Child::settle(Round& round, const std::string& id, const Outcome& outcome) 
   last_answer_ = Clock::now();
 }
 
+/// What the last line that answers nothing says of the first request under way.
+Outcome Child::unclear_outcome(const Round& round) {
+  unclear_ = 0;
+  Outcome outcome = std::exchange(last_unclear_, {});
+  if (outcome.lost == Lost::wrong_id)
+    outcome.words = fmt::format("wrong id: asked {}, {}", readable(round.first()), outcome.words);
+  return outcome;
+}
+
 /// Are there as many lines that look like answers, to no request, as there are requests under way?
 bool Child::judge_unclear(Round& round, Seconds per_answer) {
   if (round.under_way() == 0 || unclear_ < round.under_way()) return false;
   const Seconds quiet = Clock::now() - std::max(last_unclear_time_, last_answer_);
   // They may be logs between answers.
   if (quiet < (last_answer_ > last_unclear_time_ ? kSilent * per_answer : Seconds(kUnclear))) return false;
-  Outcome outcome = std::exchange(last_unclear_, {});
-  unclear_ = 0;
-  if (outcome.lost == Lost::wrong_id)
-    outcome.words = fmt::format("wrong id: asked {}, {}", readable(round.first()), outcome.words);
+  const Outcome outcome = unclear_outcome(round);
   if (one_at_a_time_again(round, outcome.words)) {
     stop();
   } else {
@@ -172,37 +178,48 @@ void Child::judge_silence(Round& round, Seconds per_answer) {
   lose(round, Lost::timed_out, words + log_.last_words());
 }
 
-/// It is over, or closed its standard output.
-void Child::judge_end(Round& round) {
-  const bool has_ended = process_->ends_within(kLeave);
-  const bool has_unread = process_->unread() + unsent_.size() > 0;
-  const bool saw_end_of_input = !process_->takes_input() && input_is_over_;
+/// Ends what is over, or closed its standard output, and reads what it had written before.
+Child::End Child::see_end(Round& round) {
+  End end;
+  end.by_itself = process_->ends_within(kLeave);
+  end.left_unread = process_->unread() + unsent_.size() > 0;
+  end.saw_end_of_input = !process_->takes_input() && input_is_over_;
   process_->end();
-  receive(round);  // what it had written before
-  const std::string how = has_ended ? process_->how() : "closed its standard output and went on";
-  const bool failed = !has_ended || process_->failed();
-  const auto rest = lines_.rest();
-  const bool is_broken_off = rest && read_answer(*rest).outcome.sort == Outcome::Sort::missing;
-  if (rest && !is_broken_off) take(round, *rest);
+  receive(round);
+  end.failed = !end.by_itself || process_->failed();
+  end.how = end.by_itself ? process_->how() : "closed its standard output and went on";
+  if (const auto rest = lines_.rest()) {
+    const Reading reading = read_answer(*rest);
+    if (!reading.is_answer || reading.outcome.sort != Outcome::Sort::missing)
+      take(round, *rest);  // chatter, or an answer without a line end
+    else
+      end.broken_line = rest->text;
+  }
   process_.reset();
+  return end;
+}
+
+void Child::judge_end(Round& round) {
+  const End end = see_end(round);
+  const std::string last_words = end.failed ? log_.last_words() : "";
   if (round.under_way() == 0) {
-    if (failed) remark(fmt::format("it {} after an answer{}", how, log_.last_words()));
-    return;
+    if (end.failed) remark(fmt::format("it {} after an answer{}", end.how, last_words));
+  } else if (answers_ > 0 && end.left_unread && round.under_way() == 1) {
+    remark(fmt::format("it {} after an answer; it is started again for the next request{}", end.how,
+                       last_words));
+    round.ask_again();  // it was never read
+  } else if (!end.broken_line.empty() && end.by_itself) {
+    lose(round, Lost::truncated,
+         fmt::format("truncated line: it {} after {}", end.how, readable(end.broken_line, 80)));
+  } else if (!end.failed && unclear_ >= round.under_way()) {
+    const Outcome outcome = unclear_outcome(round);
+    lose(round, outcome.lost, outcome.words);
+  } else if (end.saw_end_of_input && !end.failed) {
+    lose(round, Lost::timed_out, fmt::format("no answer, and it {} at the end of its input", end.how));
+  } else {
+    lose(round, end.by_itself ? Lost::crashed : Lost::closed,
+         fmt::format("{}it {}{}", end.by_itself ? "crashed: " : "", end.how, log_.last_words()));
   }
-  // It went after its last answer, and the next request was never read.
-  if (answers_ > 0 && has_unread && round.under_way() == 1) {
-    remark(fmt::format("it {} after an answer; it is started again for the next request{}", how,
-                       failed ? log_.last_words() : ""));
-    return round.ask_again();
-  }
-  if (is_broken_off && has_ended && read_answer(*rest).is_answer)
-    return lose(round, Lost::truncated,
-                fmt::format("truncated line: it {} after {}", how, readable(rest->text, 80)));
-  if (rest) keep_chatter(rest->text);
-  if (saw_end_of_input && !failed)
-    return lose(round, Lost::timed_out, "no answer, and it " + how + " at the end of its input");
-  lose(round, has_ended ? Lost::crashed : Lost::closed,
-       (has_ended ? "crashed: it " : "it ") + how + log_.last_words());
 }
 
 /// Which of several it was is not known: all of them are asked again.

@@ -63,6 +63,16 @@ class Child {
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
+  /// How a program ended.
+  struct End {
+    bool by_itself = false;    ///< else it closed its standard output and was ended
+    bool failed = false;       ///< with another exit code than 0
+    bool left_unread = false;  ///< the request that was sent last
+    bool saw_end_of_input = false;
+    std::string how{};          ///< after "it"
+    std::string broken_line{};  ///< the answer it ended in
+  };
+
   void start();
   void stop(std::chrono::milliseconds leave = {});
   void talk(Round& round, Seconds per_answer);
@@ -71,7 +81,9 @@ class Child {
   void take(Round& round, const Line& line);
   void settle(Round& round, const std::string& id, const Outcome& outcome);
   void judge_silence(Round& round, Seconds per_answer);
+  Outcome unclear_outcome(const Round& round);
   bool judge_unclear(Round& round, Seconds per_answer);
+  End see_end(Round& round);
   void judge_end(Round& round);
   void lose(Round& round, Lost lost, const std::string& words);
   bool one_at_a_time_again(Round& round, const std::string& words);

@@ -254,6 +254,9 @@ BOOST_AUTO_TEST_CASE(wrong_ids) {
   BOOST_TEST(t.starts == 2);
   const Talk one = five("wrong_id", "p02", kShort);
   BOOST_TEST(one.summary() == "answered, wrong id, 3 answered");
+  const Talk late = five("buffered_wrong_id", "", kShort);
+  BOOST_TEST(late.summary() == "3 wrong id, 2 not asked");
+  BOOST_TEST(late.words(1) == "wrong id: asked \"p01\", the answer has \"xp01\"");
   const Talk none = five("no_id", "p01", kShort);
   BOOST_TEST(none.summary() == "wrong id, 4 answered");
   BOOST_TEST(none.words(1) == "wrong id: asked \"p01\", the answer has no id, and says: what is hello?");

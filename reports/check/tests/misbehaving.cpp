@@ -137,6 +137,7 @@ const std::map<std::string, Doing> kModes = {
      [](const std::string&) {
        say("{\"id\":null,\"error\":{\"code\":\"bad\",\"message\":\"cannot read this\"}}\n");
      }},
+    {"buffered_wrong_id", [](const std::string& id) { print(answer_to("\"x" + id.substr(1))); }},
     {"no_id", [](const std::string&) { say("{\"error\":\"what is hello?\"}\n"); }},
     {"spam",
      [](const std::string&) {
