@@ -55,8 +55,10 @@ Mat3<double> stiffness(Generator& g, Springs springs) {
 }
 
 /// Moment on b of a turn theta of b from a, both at the origin.
-Vec3<double> moment(const Answerer& joint, const Mat3<double>& K_m, const Vec3<double>& theta) {
+Vec3<double> moment(const Answerer& joint, const Mat3<double>& K_m, const Vec3<double>& theta,
+                    double k_f = 0) {
   Ask ask;
+  ask.K_f = k_f * Mat3<double>::Identity();
   ask.K_m = K_m;
   ask.b.q = quaternion_of(theta);
   return part(joint(ask), 3);
@@ -173,14 +175,14 @@ Defect proportionality(const Answerer& joint, const std::vector<Ask>& asks) {
   });
 }
 
-Defect tensoriality(const Answerer& joint) {
+Defect tensoriality(const Answerer& joint, double k_f) {
   Generator g(20113);
   const Mat3<double> K = Mat3<double>::Identity();
   Defect out;
   for (int i = 0; i < 40; ++i) {
     const Vec3<double> theta = 1.3 * (i + 1) / 40 * g.direction();
     const Mat3<double> Q = g.rotation(0.1, 3);
-    const Vec3<double> m = moment(joint, K, theta), turned = moment(joint, K, Q * theta);
+    const Vec3<double> m = moment(joint, K, theta, k_f), turned = moment(joint, K, Q * theta, k_f);
     if (out.worst.include(ratio((turned - Q * m).norm(), m.norm()),
                           fmt::format("relative rotation {:.3g} rad", theta.norm()))) {
       out.at.K_m = K;
@@ -227,11 +229,7 @@ double free_spin(const Answerer& joint, int shaft) {
 }
 
 double secant_stiffness(const Answerer& joint, int axis, double phi, double k_f) {
-  Ask ask;
-  ask.K_f = k_f * Mat3<double>::Identity();
-  ask.K_m = Mat3<double>::Identity();
-  ask.b.q = quaternion_of(phi * Vec3<double>::Unit(axis));
-  return part(joint(ask), 3)[axis] / phi;
+  return moment(joint, Mat3<double>::Identity(), phi * Vec3<double>::Unit(axis), k_f)[axis] / phi;
 }
 
 SecondOrder second_order(const Answerer& joint, double digits) {

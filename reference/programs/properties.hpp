@@ -45,7 +45,8 @@ Defect mass_dependence(const Answerer& joint, const std::vector<Ask>& asks);
 Defect proportionality(const Answerer& joint, const std::vector<Ask>& asks);
 
 /// |m(Q R Q^T) - Q m(R)| / |m(R)| with K_m = I: a tensorial measure has none [Bauchau].
-Defect tensoriality(const Answerer& joint);
+/// @param k_f  N/m: some programs take one number alone
+Defect tensoriality(const Answerer& joint, double k_f = 0);
 
 /// Work round a closed loop of body b over the path of |power|, signed: positive is put in by the loads on
 /// the bodies. theta(s) = 0.64 (cos s, sin s, sin(2 s + 0.7)/2); with `moves` p(s) = (0.3 cos s, 0.2 sin(s +

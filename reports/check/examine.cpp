@@ -85,7 +85,7 @@ Result loop(const Answerer& joint, const char* id, const char* title, const Vec3
 }
 
 /// A turn about one axis up to 179 degrees: before which angle the moment falls.
-Result range(const Answerer& joint) {
+Result range(const Answerer& joint, double k_f) {
   constexpr double kDegrees[] = {15, 30, 45, 60, 75, 89, 91, 105, 120, 150, 179};
   double least = 180;
   bool finite = true;
@@ -94,7 +94,7 @@ Result range(const Answerer& joint) {
     double last = 0, falls = 180;
     for (const double degrees : kDegrees) {  // all of them are asked, whatever the answers
       const double phi = degrees * std::numbers::pi / 180,
-                   moment = phi * reference::secant_stiffness(joint, axis, phi);
+                   moment = phi * reference::secant_stiffness(joint, axis, phi, k_f);
       finite = finite && moment == moment;
       if (!(moment >= last) && falls == 180) falls = degrees;
       last = moment;
@@ -178,13 +178,11 @@ std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_b
     out.push_back(loop(joint, "level3/loop_six",
                        "one stiffness each does no work round a loop of turns and moves",
                        is_one ? one : hundred, one, true, limit));
-  if (!is_one) {
-    const auto tensor = reference::tensoriality(joint);
-    out.push_back(
-        judged({"level2/tensoriality", "the measure knows no axes of its own", "e(Q R Q^T) = Q e(R)"},
-               tensor.worst.value(), limit, tensor.worst.where()));
-    out.push_back(range(joint));
-  }
+  const double k_f = hello.linear_angular ? 1 : 0;
+  const auto tensor = reference::tensoriality(joint, k_f);
+  out.push_back(judged({"level2/tensoriality", "the measure knows no axes of its own", "e(Q R Q^T) = Q e(R)"},
+                       tensor.worst.value(), limit, tensor.worst.where()));
+  out.push_back(range(joint, k_f));
   return out;
 }
 
