@@ -167,6 +167,12 @@ Defect mass_dependence(const Answerer& joint, const std::vector<Ask>& asks) {
                  [](Ask& ask) { ask.a.mass = 3, ask.a.inertia = 0.4, ask.b.mass = 0.5, ask.b.inertia = 2; });
 }
 
+Defect far_away(const Answerer& joint, const std::vector<Ask>& asks) {
+  return changed(joint, asks, [](Ask& ask) {
+    for (AskedBody* body : {&ask.a, &ask.b}) body->x += Vec3<double>(1024, -512, 256);  // exact to 1e-13 m
+  });
+}
+
 Defect proportionality(const Answerer& joint, const std::vector<Ask>& asks) {
   return worst_of(asks, [&](const Ask& ask) {
     Ask stiffer = ask;

@@ -44,6 +44,9 @@ Defect mass_dependence(const Answerer& joint, const std::vector<Ask>& asks);
 /// Loads over the stiffness: change when every spring is four times as stiff.
 Defect proportionality(const Answerer& joint, const std::vector<Ask>& asks);
 
+/// Change of the loads when both bodies stand a kilometre further.
+Defect far_away(const Answerer& joint, const std::vector<Ask>& asks);
+
 /// |m(Q R Q^T) - Q m(R)| / |m(R)| with K_m = I: a tensorial measure has none [Bauchau].
 /// @param k_f  N/m: some programs take one number alone
 Defect tensoriality(const Answerer& joint, double k_f = 0);

@@ -6,9 +6,23 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfway::check {
 namespace {
+
+/// How many of its numbers a person would have to type: those that are no 0, 1 or tenth.
+int numbers_in(const Ask& ask) {
+  int count = 0;
+  const auto add = [&](const auto& values) {
+    for (const double x : values.reshaped())
+      count += std::abs(10 * x - std::round(10 * x)) > 1e-12 ? 3 : x != 0 && x != 1;
+  };
+  for (const reference::AskedBody* body : {&ask.a, &ask.b})
+    add(body->x), add(body->q), add(body->o), add(body->h);
+  add(ask.K_f), add(ask.K_m);
+  return count;
+}
 
 /// Questions that are simpler than this one by one thing.
 std::vector<Ask> simpler(const Ask& ask) {
@@ -16,9 +30,9 @@ std::vector<Ask> simpler(const Ask& ask) {
   const auto with = [&](const auto& change) {
     Ask other = ask;
     change(other);
-    if (reference::request(other) != reference::request(ask)) out.push_back(other);
+    if (numbers_in(other) < numbers_in(ask)) out.push_back(other);
   };
-  with([](Ask& a) { a.a = {}, a.b.x -= a.a.x; });
+  with([](Ask& a) { a.b.x -= a.a.x, a.a = {}; });
   with([](Ask& a) { a.a.o.setZero(), a.b.o.setZero(); });
   with([](Ask& a) { a.a.h = a.b.h = Eigen::Vector4d(1, 0, 0, 0); });
   with([](Ask& a) { a.a.x.setZero(); });

@@ -33,26 +33,52 @@ Hello hello_of(const json& line) {
                                     : Hello::Springs::full;
   out.digits = std::clamp(line.value("digits", out.digits), 1., 15.5);
   out.frames = line.value("frames", true);
+  if (const auto answers = line.find("answers"); answers != line.end() && answers->is_array())
+    out.tangent = std::ranges::find(*answers, json("tangent")) != answers->end();
   return out;
+}
+
+/// Why there are no loads: it skipped the question, or it answered something else.
+Said without_loads(bool skipped, std::string why) {
+  Said out;
+  out.skipped = skipped;
+  out.why = std::move(why);
+  return out;
+}
+
+/// As many finite numbers, or nothing.
+bool read_numbers(const json& list, double* out, std::size_t count) {
+  if (!list.is_array() || list.size() != count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!list[i].is_number()) return false;
+    out[i] = list[i].get<double>();
+  }
+  return true;
 }
 
 /// The loads of an answer, or what is wrong with them.
 Said read_said(const json& line) {
   if (line.contains("skipped"))
-    return {{}, true, line["skipped"].is_string() ? line["skipped"].get<std::string>() : ""};
+    return without_loads(true, line["skipped"].is_string() ? line["skipped"].get<std::string>() : "");
   const auto loads = line.find("loads");
   if (loads == line.end()) {
     const auto error = line.find("error");
-    return {{}, true, error == line.end() ? "neither loads nor skipped" : error->dump()};
+    return without_loads(true, error == line.end() ? "neither loads nor skipped" : error->dump());
   }
-  if (!loads->is_array() || loads->size() != 12) return {{}, false, "loads: not 12 numbers"};
+  Said out;
   TwelveLoads q;
-  for (int i = 0; i < 12; ++i) {
-    const json& number = (*loads)[std::size_t(i)];
-    if (!number.is_number()) return {{}, false, fmt::format("loads[{}] = {} is no number", i, number.dump())};
-    q[i] = number.get<double>();
+  if (!read_numbers(*loads, q.data(), 12)) return without_loads(false, "loads: not 12 numbers");
+  out.loads = q;
+  const auto tangent = line.find("tangent");
+  if (tangent == line.end() || !tangent->is_array() || tangent->size() != 12) return out;
+  Eigen::Matrix<double, 12, 12> T;
+  for (std::size_t i = 0; i < 12; ++i) {
+    Eigen::Matrix<double, 12, 1> row;
+    if (!read_numbers((*tangent)[i], row.data(), 12)) return out;
+    T.row(long(i)) = row.transpose();
   }
-  return {q, false, {}};
+  out.tangent = T;
+  return out;
 }
 
 class Running : public Program {
@@ -67,14 +93,15 @@ class Running : public Program {
     return hello_;
   }
 
-  std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>& asks) override {
+  std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>& asks,
+                        bool tangent) override {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < ids.size(); ++i)
-      lines.push_back(request_line(ids[i], asks[i], !hello_.linear_angular, fields_));
+      lines.push_back(request_line(ids[i], asks[i], !hello_.linear_angular, fields_, tangent));
     std::vector<Said> out;
     for (const Outcome& outcome : child_.ask(lines, seconds_)) {
       if (outcome.sort == Outcome::Sort::missing)
-        out.push_back({{}, false, outcome.words});
+        out.push_back(without_loads(false, outcome.words));
       else
         out.push_back(read_said(outcome.line));
     }
@@ -115,11 +142,11 @@ class Written : public Program {
 
   Hello hello() override { return hello_; }
 
-  std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>&) override {
+  std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>&, bool) override {
     std::vector<Said> out;
     for (const std::string& id : ids) {
       const auto found = answers_.find(id);
-      out.push_back(found == answers_.end() ? Said{{}, true, "not in the file"} : found->second);
+      out.push_back(found == answers_.end() ? without_loads(true, "not in the file") : found->second);
     }
     return out;
   }
@@ -150,7 +177,8 @@ class Written : public Program {
 
 }  // namespace
 
-std::string request_line(const std::string& id, const Ask& ask, bool angular, const std::string& fields) {
+std::string request_line(const std::string& id, const Ask& ask, bool angular, const std::string& fields,
+                         bool tangent) {
   auto line = reference::request(ask);
   if (angular) {
     line["kind"] = "angular";
@@ -160,7 +188,7 @@ std::string request_line(const std::string& id, const Ask& ask, bool angular, co
   }
   nlohmann::ordered_json out{{"id", id}};
   out.update(line);
-  out["want"] = {"loads"};
+  out["want"] = tangent ? json{"loads", "tangent"} : json{"loads"};
   if (!fields.empty()) out.update(nlohmann::ordered_json::parse(fields));
   return out.dump();
 }

@@ -17,20 +17,24 @@ struct Hello {
   enum class Springs { isotropic, diagonal, full } springs = Springs::full;
   double digits = 15.5;  ///< decimal, of its numbers
   bool frames = true;    ///< joint points and frames on b other than the body's own
+  bool tangent = false;  ///< it gives the derivative of its loads by (dx_a, w_a, dx_b, w_b)
 };
 
 /// What became of a question.
 struct Said {
-  std::optional<TwelveLoads> loads;
-  bool skipped = false;  ///< it said that it cannot
-  std::string why{};     ///< no loads: its reason, or what it did instead
+  std::optional<TwelveLoads> loads{};
+  std::optional<Eigen::Matrix<double, 12, 12>> tangent{};  ///< where it was asked for
+  bool skipped = false;                                    ///< it said that it cannot
+  std::string why{};                                       ///< no loads: its reason, or what it did instead
 };
 
 class Program {
  public:
   virtual ~Program() = default;
   virtual Hello hello() = 0;
-  virtual std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>& asks) = 0;
+  /// @param tangent  ask for the tangent as well
+  virtual std::vector<Said> ask(const std::vector<std::string>& ids, const std::vector<Ask>& asks,
+                                bool tangent = false) = 0;
   /// What a report should say of it beside: chatter, restarts.
   virtual std::vector<std::string> remarks() const { return {}; }
   /// Can it be asked what no list has? A file cannot.
@@ -48,6 +52,7 @@ std::unique_ptr<Program> running_program(const std::string& command, double seco
 std::unique_ptr<Program> answered_program(const std::string& file);
 
 /// The line that is sent. @param angular  the program takes moments alone
-std::string request_line(const std::string& id, const Ask& ask, bool angular, const std::string& fields);
+std::string request_line(const std::string& id, const Ask& ask, bool angular, const std::string& fields,
+                         bool tangent = false);
 
 }  // namespace halfway::check

@@ -1,5 +1,6 @@
 #include "reports/check/run_check.hpp"
 
+#include "reports/check/tangent.hpp"
 #include "reports/check/wrong_twins.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ class Checking {
     verdict_.hello = program_.hello();
     identify();
     examine_all();
+    verdict_.results.push_back(check_tangent(program_, verdict_.hello, verdict_.identity.convention));
     verdict_.remarks = program_.remarks();
     return verdict_;
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -124,6 +125,21 @@ std::string written(const ParsedLine& line, const EvalRequest& request, const Ev
   return out + '}';
 }
 
+/// What `halfway check` asks first.
+bool is_hello(const ParsedLine& line) {
+  const auto& keys = line.document.root.keys;
+  return std::ranges::find(keys, "hello") != keys.end();
+}
+
+std::string hello(std::string_view id) {
+  const nlohmann::ordered_json says = {{"name", "halfway eval"},
+                                       {"kinds", {"angular", "linear", "linear_angular"}},
+                                       {"law", "full"},
+                                       {"digits", 15},
+                                       {"answers", {"strain", "loads", "tangent", "energy"}}};
+  return fmt::format(R"({{"id":{},{})", id, says.dump().substr(1));
+}
+
 }  // namespace
 
 std::string eval_line(std::string_view text) {
@@ -131,6 +147,7 @@ std::string eval_line(std::string_view text) {
   try {
     line = parse_line(text);
     if (line.error) throw *line.error;
+    if (is_hello(line)) return hello(line.id);
     const EvalRequest request = read_request(line.document);
     return written(line, request, evaluate(request));
   } catch (const reference::Refusal& e) {
