@@ -79,6 +79,16 @@ Strain<T, kind> strain(const Joint<kind, T, F, L>& joint, const Pose<T>& a, cons
   return joint.formulation.template strain<kind>(motion_of(joint, a, b));
 }
 
+/// The potential, J, where the formulation has one: the law's energy at the strain, unless it brings its own.
+template <Kind kind, class T, class F, class L>
+T energy(const Joint<kind, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {
+  const RelativeMotion<T> m = motion_of(joint, a, b);
+  if constexpr (requires { joint.formulation.template energy<kind>(m, joint.law); })
+    return joint.formulation.template energy<kind>(m, joint.law);
+  else
+    return joint.law.energy(joint.formulation.template strain<kind>(m));
+}
+
 /// Loads of an angular joint; the tangent blocks are filled only on request.
 template <bool with_tangent, class T, class F, class L>
 AngularLoads<T> loads(const Joint<Kind::angular, T, F, L>& joint, const Pose<T>& a, const Pose<T>& b) {

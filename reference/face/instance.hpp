@@ -55,7 +55,7 @@ Evaluators<T> evaluators() {
     if (!F::has_potential(spec.kind)) return std::nullopt;
     return dispatch(spec.kind, [&](auto kind) {
       const auto joint = make_joint<F, kind(), T>(spec);
-      return std::optional<T>(joint.law.energy(strain(joint, a, b)));
+      return std::optional<T>(energy(joint, a, b));
     });
   };
   return e;

@@ -20,6 +20,14 @@ const Entry* find_formulation(std::string_view name) {
   return it == all.end() ? nullptr : &*it;
 }
 
+double stored_energy(const Entry& entry, const JointSpec& spec, const Pose<double>& a,
+                     const Pose<double>& b) {
+  if (const std::optional<double> potential = entry.in_double.energy(spec, a, b)) return *potential;
+  const Eigen::VectorXd e = entry.in_double.strain(spec, a, b);
+  if (spec.kind == Kind::linear_angular) return AnyLaw<double, 6>(spec.law).energy(e);
+  return AnyLaw<double, 3>(spec.law).energy(e);
+}
+
 ScopedRegistry::ScopedRegistry(std::vector<Entry> entries)
     : entries_(std::move(entries)), before_(std::exchange(in_use(), entries_)) {}
 

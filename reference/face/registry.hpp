@@ -71,6 +71,9 @@ std::span<const Entry> formulations();
 /// The entry in use of that name, or nullptr.
 const Entry* find_formulation(std::string_view name);
 
+/// What the joint stores, J: its potential; of one without, the law's energy at its strain.
+double stored_energy(const Entry& entry, const JointSpec& spec, const Pose<double>& a, const Pose<double>& b);
+
 /// Other entries in use while it lives, for one thread of control: how wrong twins take the place of
 /// formulations.
 class ScopedRegistry {

@@ -147,6 +147,57 @@ struct Conformal {
   }
 };
 
+/// The geometric spring by the axes of the nodes alone, as its definition has it for the stiffnesses K_f and
+/// K_m. A coupling C, which the definition has not, adds d . (P_a + P_b) C e/2 to the potential.
+struct Fasse {
+  template <class T>
+  struct Stiffness {
+    Mat3<T> f = Mat3<T>::Zero(), m = Mat3<T>::Zero(), c = Mat3<T>::Zero();
+  };
+  template <class T>
+  static Stiffness<T> stiffness(const JointSpec& spec) {
+    const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> K =
+        std::get<LinearSpec>(spec.law).matrix.template cast<T>();
+    Stiffness<T> out;
+    if (spec.kind != Kind::angular) out.f = K.template topLeftCorner<3, 3>();
+    if (spec.kind != Kind::linear) out.m = K.template bottomRightCorner<3, 3>();
+    if (spec.kind == Kind::linear_angular) out.c = K.template topRightCorner<3, 3>();
+    return out;
+  }
+  /// M = P_a (A32 - A23, A13 - A31, A21 - A12), A = R (tr(K_m)/2 - K_m): of the potential tr((1 - R) G).
+  template <class T>
+  static Vec3<T> moment(const Mat3<T>& P_a, const Mat3<T>& R, const Mat3<T>& Km) {
+    const Mat3<T> A = R * (Km.trace() / T(2) * Mat3<T>::Identity() - Km);
+    return P_a * Vec3<T>(A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1));
+  }
+  /// e = 2 sin(phi/2) n = 2 ax(R)/sqrt(1 + tr(R)), and de = rate psi by the rates of ax(R) and tr(R).
+  template <class T>
+  struct Turn {
+    Vec3<T> e;
+    Mat3<T> rate;
+  };
+  template <class T>
+  static Turn<T> turn(const Mat3<T>& R) {
+    using std::sqrt;
+    const T root = sqrt(T(T(1) + R.trace()));
+    const Vec3<T> ax = axial(R);
+    const Mat3<T> of_ax = (R.trace() * Mat3<T>::Identity() - R) / root;
+    return {T(2) / root * ax, of_ax + T(2) / (root * root * root) * ax * ax.transpose()};
+  }
+  template <class T>
+  static Loads<T> loads(const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+    const Geometry<T> g = geometry(spec, a, b);
+    const Stiffness<T> K = stiffness<T>(spec);
+    const Mat3<T> R = g.P_a.transpose() * g.P_b;
+    const Turn<T> t = turn(R);
+    const Vec3<T> F_a = (g.P_a * K.f * g.P_a.transpose() * g.d + g.P_a * K.c * t.e) / T(2);
+    const Vec3<T> F_b = (g.P_b * K.f * g.P_b.transpose() * g.d + g.P_b * K.c * t.e) / T(2);
+    const Vec3<T> by_coupling = K.c.transpose() * ((g.P_a + g.P_b).transpose() * g.d) / T(2);
+    const Vec3<T> F = F_a + F_b, M = moment(g.P_a, R, K.m) + g.P_a * (t.rate.transpose() * by_coupling);
+    return join<T>(-F, -g.d.cross(F_a) - M - g.arm_a.cross(F), F, -g.d.cross(F_b) + M + g.arm_b.cross(F));
+  }
+};
+
 /// JOINTC literally: strains and their gradients by products of the axes e_i of the two nodes [52-56];
 /// the force refers to node a [31].
 struct Jointc {

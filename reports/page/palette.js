@@ -18,6 +18,7 @@ const COLORS = {
   pink: ['#c75b9b', '#f5b3d8'],
   indigo: ['#5b4bb0', '#a79cf2'],
   mauve: ['#93508a', '#d9a2d1'],
+  cyan: ['#00808f', '#5fd0de'],
   slate: ['#4f5b66', '#b9c4ce'],
   steel: ['#6b7680', '#93a0ac'],
   brown: ['#7d6a5a', '#d0bba9'],
@@ -49,6 +50,7 @@ const FAMILIES = [
   {jointc: 'green'},
   {field_a: 'olive', field_b: 'moss'},
   {conformal: 'magenta', potential: 'violet', helicoidal: 'pink', quaternion: 'indigo', cayley: 'mauve'},
+  {fasse: 'cyan'},
   {
     simbody_xyz: 'slate',
     drake_rpy: 'steel',

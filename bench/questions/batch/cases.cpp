@@ -19,9 +19,10 @@ std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind ki
   return std::make_shared<const Inputs>(inputs(kind, xi, false, ends));
 }
 
-/// A lane does what the kernel of one joint does. The batch's own dual numbers (J v) are not counted.
+/// A lane does what the kernel of one joint does. The batch's own dual numbers (J v) are not counted, nor is
+/// what a law without coupling spares.
 double batch_flops(const BatchProblem& p) {
-  if (p.output == Output::product) return 0;
+  if (p.output == Output::product || p.block_diagonal) return 0;
   const char* what = p.output == Output::residual ? "/residual/kernel" : "/residual_tangent/kernel";
   return kept_flops(p.formulation + '/' + to_string(p.in->spec.kind) + what + (p.ends ? "" : "/no_ends"));
 }
@@ -46,6 +47,17 @@ void add_by_isa(Cases& cases, const std::string& formulation, Kind kind) {
   add<double>(cases, {in, formulation, batch::choose({}), Output::product, kPoses});
   if (kind != Kind::angular)
     add<double>(cases, {in, formulation, batch::choose({}), Output::tangent_144, kPoses});
+}
+
+/// Laws that do not couple translation and rotation, where there is a loop for them.
+void add_block_diagonal(Cases& cases) {
+  const auto in = std::make_shared<const Inputs>(inputs(Kind::linear_angular, 0.5, true, false));
+  for (const Isa isa : kIsas) {
+    BatchProblem p{in, "fasse", isa, Output::tangent, kPoses};
+    p.block_diagonal = true;
+    add<double>(cases, p);
+    add<float>(cases, p);
+  }
 }
 
 /// From L1 to DRAM.
@@ -76,7 +88,8 @@ Cases batch_cases() {
     add_by_isa(cases, std::string(entry.name), Kind::angular);
     add_by_isa(cases, std::string(entry.name), Kind::linear);
   }
-  add_by_isa(cases, "attached_a", Kind::linear_angular), add_by_isa(cases, "invariant", Kind::linear_angular);
+  for (const char* name : {"attached_a", "invariant", "fasse"}) add_by_isa(cases, name, Kind::linear_angular);
+  add_block_diagonal(cases);
   // What joint points and frames apart from the nodes cost.
   for (const Kind kind : {Kind::angular, Kind::linear, Kind::linear_angular}) {
     BatchProblem p{

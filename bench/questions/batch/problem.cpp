@@ -196,11 +196,11 @@ Case batch_case(const BatchProblem& p) {
   c.implementation = "batch";
   c.precision = sizeof(T) == 4 ? "float" : "double";
   c.isa = batch::to_string(p.isa);
-  c.variant = p.ends ? "" : "no_ends";
+  c.variant = p.block_diagonal ? "block_diagonal" : p.ends ? "" : "no_ends";
   c.method = p.output == Output::product ? "dual" : "";
   c.joints = int(p.joints), c.threads = p.options.threads;
-  c.name = fmt::format("{}/{}/{}/batch/{}{}{}/{}{}", c.formulation, c.kind, c.what, c.isa,
-                       sizeof(T) == 4 ? "/float" : "", p.ends ? "" : "/no_ends", p.joints,
+  c.name = fmt::format("{}/{}/{}/batch/{}{}{}{}/{}{}", c.formulation, c.kind, c.what, c.isa,
+                       sizeof(T) == 4 ? "/float" : "", c.variant.empty() ? "" : "/", c.variant, p.joints,
                        c.threads > 1 ? fmt::format("/threads_{}", c.threads) : "");
   c.evaluations = int(p.joints);
   c.wall_time = c.threads > 1;

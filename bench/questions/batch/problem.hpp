@@ -16,6 +16,7 @@ struct BatchProblem {
   batch::Output output;
   long joints;
   bool ends = false;
+  bool block_diagonal = false;  ///< is the law of `in`: some kernels have a loop for it
   batch::Options options{};
 };
 

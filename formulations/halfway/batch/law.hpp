@@ -43,6 +43,24 @@ struct LinearLaw6 {
   }
 };
 
+/// Linear, of joints whose translation and rotation are not coupled: the same table.
+template <class P, class Number>
+HALFWAY_INLINE kernel::BlockDiagonal6<P> block_diagonal(const Numbers<P, Number>& k) {
+  return {{{k(0), k(1), k(2), k(6), k(7), k(11)}}, {{k(15), k(16), k(17), k(18), k(19), k(20)}}};
+}
+
+/// Is the coupling of every joint zero?
+template <class Number>
+bool uncoupled(const Job<Number>& job) {
+  const long laws = job.law_step == 0 ? 1 : job.count;
+  bool coupled = false;
+  for (const int row : {3, 4, 5, 8, 9, 10, 12, 13, 14}) {
+    const Number* const k = job.law.first + row * job.law.stride;
+    for (long i = 0; i < laws; ++i) coupled |= k[i] != Number(0);
+  }
+  return !coupled;
+}
+
 /// Either law: which, is decided once a pack, the same for all of a batch.
 template <class P, class Number>
 struct AnyLaw3 {

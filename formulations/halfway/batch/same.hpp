@@ -20,6 +20,11 @@ template <class Measure>
 struct Served<kernel::FamilyKernel<Se3Translation, Measure, Conjugate>, Kind::angular> {
   using By = kernel::FamilyKernel<FrameHalfway, Measure, Conjugate>;
 };
+/// One potential of the rotation.
+template <>
+struct Served<kernel::FamilyKernel<FrameHalfway, QuaternionMeasure, Conjugate>, Kind::angular> {
+  using By = kernel::FasseKernel;
+};
 template <>
 struct Served<kernel::ExudynKernel, Kind::angular> {
   using By = kernel::ExudynKernel::Half;

@@ -62,12 +62,19 @@ HALFWAY_INLINE Quat<kernel::Dual<P>> moved(const Quat<P>& q, const V3<P>& spin) 
   return {{q.w, half.w}, kernel::dual(q.v, half.v)};
 }
 
-template <Kind kind, class P, class Number, bool lean>
+/// Which joints a loop is for: any; those without ends and with a linear law; of those, the ones whose law
+/// does not couple translation and rotation, with 81 results that stay in the caches: one choice less after
+/// each pack leaves more of them in registers.
+enum class Loop { any, lean, block_diagonal };
+
+template <Kind kind, class P, class Number, Loop loop>
 HALFWAY_INLINE auto law_at(const Job<Number>& job, long i) {
   const Numbers<P, Number> numbers{job.law.first + job.law_step * i, job.law.stride};
-  if constexpr (lean && kind == Kind::linear_angular)
+  if constexpr (loop == Loop::block_diagonal)
+    return block_diagonal(numbers);
+  else if constexpr (loop == Loop::lean && kind == Kind::linear_angular)
     return LinearLaw6<P, Number>{numbers};
-  else if constexpr (lean)
+  else if constexpr (loop == Loop::lean)
     return LinearLaw3<P, Number>{numbers};
   else if constexpr (kind == Kind::linear_angular)
     return AnyLaw6<P, Number>{numbers, job.polynomial};
@@ -82,14 +89,26 @@ HALFWAY_INLINE K kernel_of(const Job<Number>& job) {
   return k;
 }
 
-/// Residual, with or without its tangent. `lean`: no ends, a linear law.
-template <class K, Kind kind, bool with_tangent, bool lean, class P, class Number>
+/// Does the kernel do less where translation and rotation are not coupled?
+template <class K>
+inline constexpr bool kSparesCoupling = requires {
+  requires K::kSparesCoupling;
+};
+
+/// Residual, with or without its tangent.
+template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number>
 void evaluate(const Job<Number>& call) {
+  constexpr bool lean = loop != Loop::any;
   Job<Number> job = call;  // what is stored to a table cannot change it
   if constexpr (lean) job.a = job.b = nullptr;
+  if constexpr (loop == Loop::block_diagonal) job.all_entries = job.past_caches = false;
+  if constexpr (loop == Loop::lean && kind == Kind::linear_angular && with_tangent && kSparesCoupling<K>) {
+    if (!job.all_entries && !job.past_caches && uncoupled(job))
+      return evaluate<K, kind, with_tangent, Loop::block_diagonal, P>(job);
+  }
   const K k = kernel_of<K>(job);
   for (long i = 0; i < job.count; i += P::kLanes) {
-    const auto law = law_at<kind, P, Number, lean>(job, i);
+    const auto law = law_at<kind, P, Number, loop>(job, i);
     const PlacedNode<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
     const PlacedNode<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
     const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
@@ -97,11 +116,15 @@ void evaluate(const Job<Number>& call) {
       put<with_tangent>(k.template angular<ExactAngle, with_tangent>(r, law), job, i);
     } else {
       const V3<P> D = vector_at<P>(job.x_b, 0, i) - vector_at<P>(job.x_a, 0, i);
-      const V3<P> d = job.a != nullptr ? D + b.arm - a.arm : D;
-      auto loads = k.template point<ExactAngle, kind, with_tangent>(r, d, law);
-      if (job.a != nullptr) kernel::carry<K::kBalanced, with_tangent>(a.arm, b.arm, loads);
-      kernel::complete<K::kBalanced, with_tangent>(D, loads);
-      put<with_tangent>(loads, job, i);
+      if constexpr (lean) {
+        put<with_tangent>(kernel::node_loads<ExactAngle, kind, with_tangent>(k, law, r, D), job, i);
+      } else {
+        const V3<P> d = job.a != nullptr ? D + b.arm - a.arm : D;
+        auto loads = k.template point<ExactAngle, kind, with_tangent>(r, d, law);
+        if (job.a != nullptr) kernel::carry<K::kBalanced, with_tangent>(a.arm, b.arm, loads);
+        kernel::complete<K::kBalanced, with_tangent>(D, loads);
+        put<with_tangent>(loads, job, i);
+      }
     }
   }
 }
@@ -114,7 +137,7 @@ void evaluate_product(const Job<Number>& job) {
   const K k = kernel_of<K>(job);
   constexpr bool kAngular = kind == Kind::angular;
   for (long i = 0; i < job.count; i += P::kLanes) {
-    const auto law = law_at<kind, P, Number, false>(job, i);
+    const auto law = law_at<kind, P, Number, Loop::any>(job, i);
     const kernel::LawAlong<decltype(law)> along{law};
     const V3<P> w_a = vector_at<P>(job.direction, kAngular ? 0 : 3, i);
     const V3<P> w_b = vector_at<P>(job.direction, kAngular ? 3 : 9, i);
@@ -140,11 +163,11 @@ template <class F, Kind kind, bool lean, class P, class Number>
 constexpr void set_functions(Functions<Number>& f) {
   using K = KernelType<F>;
   if constexpr (std::is_same_v<K, typename Served<K, kind>::By>) {
-    f.residual = evaluate<K, kind, false, false, P, Number>;
-    f.tangent = evaluate<K, kind, true, false, P, Number>;
+    f.residual = evaluate<K, kind, false, Loop::any, P, Number>;
+    f.tangent = evaluate<K, kind, true, Loop::any, P, Number>;
     if constexpr (lean) {
-      f.lean_residual = evaluate<K, kind, false, true, P, Number>;
-      f.lean_tangent = evaluate<K, kind, true, true, P, Number>;
+      f.lean_residual = evaluate<K, kind, false, Loop::lean, P, Number>;
+      f.lean_tangent = evaluate<K, kind, true, Loop::lean, P, Number>;
     }
     if constexpr (std::is_same_v<Number, double>) f.product = evaluate_product<K, kind, P, Number>;
   }

@@ -3,6 +3,7 @@
 // A formulation maps the relative motion of the two joint frames and a law to the loads at the two
 // joint points, in the axes of P_a. It offers
 //   strain<kind>(m)                 what the law sees
+//   energy<kind>(m, law)            its potential, where that is not the law's energy at the strain
 //   angular<with_tangent>(m, law)   AngularResponse: computes nothing linear
 //   point<kind, with_tangent>(...)  PointResponse, for linear and linear/angular joints
 //   kLinearWithoutRotation          does the linear joint do without the relative rotation?

@@ -8,6 +8,7 @@
 
 #include "halfway/joint/family.hpp"
 #include "halfway/kernels/euler.hpp"
+#include "halfway/kernels/fasse.hpp"
 #include "halfway/kernels/force.hpp"
 #include "halfway/kernels/frames.hpp"
 #include "halfway/kernels/response.hpp"
@@ -32,6 +33,8 @@ struct FamilyKernel {
     const auto j = jet<Angle, Kind::angular, with_tangent>(r);
     if constexpr (kEuler<Measure>)
       return euler_angular<with_tangent>(r, j, law);
+    else if constexpr (kConjugate && std::is_same_v<Measure, QuaternionMeasure>)
+      return FasseKernel{}.template angular<Angle, with_tangent>(r, law);  // the same potential
     else
       return vector_angular<with_tangent>(r, j, law);
   }

@@ -80,9 +80,13 @@ HALFWAY_INLINE MomentLoads<T> loads(const KernelJoint<Kind::angular, K, L, E>& j
 /// Loads about the nodes, with joint points at them. @param D  from node a to b, global axes, m.
 template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
 HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D) {
-  auto p = kernel.template point<Angle, kind, with_tangent>(r, D, law);
-  complete<K::kBalanced, with_tangent>(D, p);
-  return p;
+  if constexpr (requires { kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law); }) {
+    return kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law);
+  } else {
+    auto p = kernel.template point<Angle, kind, with_tangent>(r, D, law);
+    complete<K::kBalanced, with_tangent>(D, p);
+    return p;
+  }
 }
 /// The same with joint points at r_a and r_b from the nodes, global axes, m.
 template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>

@@ -1,10 +1,11 @@
 // The kernel of each formulation, if it has one: KernelOf<F>::make(formulation).
 //
 // A formulation of the family has one by itself if its measure has (measures.hpp, euler.hpp); another
-// declares it in peers.hpp. What has none is evaluated by its readable transcription alone (joint.hpp),
-// which stays the reference of both.
+// declares it (fasse.hpp, peers.hpp). What has none is evaluated by its readable transcription alone
+// (joint.hpp), which stays the reference of both.
 #pragma once
 
+#include "halfway/kernels/fasse.hpp"
 #include "halfway/kernels/peers.hpp"
 
 namespace halfway::kernel {
@@ -27,6 +28,10 @@ struct KernelOf {};
 template <class F>
 requires(detail::in_family<F>()) struct KernelOf<F> {
   static auto make(const F& formulation) { return detail::family_kernel(formulation); }
+};
+template <>
+struct KernelOf<Fasse> {
+  static FasseKernel make(const Fasse&) { return {}; }
 };
 template <>
 struct KernelOf<ChronoBody> {

@@ -22,6 +22,12 @@ struct Stiffness6 {
   S3<T> mm;
 };
 
+/// May six strains of the law be coupled? A kernel may leave out what is zero then.
+template <class L>
+inline constexpr bool kCoupled = !requires {
+  requires !L::kCoupled;
+};
+
 template <class C>
 struct Linear3 {
   static constexpr bool kLinear = true;
@@ -56,6 +62,23 @@ struct Linear6 {
   }
 };
 
+/// The same where translation and rotation are not coupled.
+template <class C>
+struct BlockDiagonal6 {
+  static constexpr bool kLinear = true;
+  static constexpr bool kCoupled = false;
+  Linear3<C> f, m;
+
+  template <class T>
+  HALFWAY_INLINE Pair<T> stress(const Pair<T>& e) const {
+    return {f.stress(e.f), m.stress(e.m)};
+  }
+  template <class T>
+  HALFWAY_INLINE Stiffness6<T> stiffness(const Pair<T>& e) const {
+    return {f.stiffness(e.f), zero33<T>(), m.stiffness(e.m)};
+  }
+};
+
 /// stress = k1 e + k3 e^3 + k5 e^5 per axis.
 template <class C>
 struct Polynomial3 {
@@ -85,6 +108,7 @@ struct Polynomial3 {
 template <class C>
 struct Polynomial6 {
   static constexpr bool kLinear = false;
+  static constexpr bool kCoupled = false;
   Polynomial3<C> f, m;
 
   template <class T>

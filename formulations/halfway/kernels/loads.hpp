@@ -23,7 +23,7 @@ struct Load {
 /// are the 81 distinct numbers of the 144 of the tangent.
 ///
 /// A kernel fills value, x and wb of f and b, and of a too where it is not balanced (kBalanced):
-/// the rest follows from objectivity and balance, and is cheapest last.
+/// the rest follows from objectivity and balance, and is cheapest last; or from a kernel's own at_nodes().
 template <class T>
 struct PointLoads {
   Load<T> f, a, b;

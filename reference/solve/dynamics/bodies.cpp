@@ -1,7 +1,6 @@
 #include "reference/solve/dynamics/bodies.hpp"
 
 #include <cmath>
-#include <variant>
 
 namespace halfway::reference::dynamics {
 namespace {
@@ -26,16 +25,13 @@ Loads joint_loads(const Entry& entry, const JointSpec& spec, const State& s) {
   return entry.in_double.point(spec, node_pose(s[0]), node_pose(s[1]), false).q;
 }
 
-double law_energy(const Entry& entry, const JointSpec& spec, const State& s) {
-  const Eigen::VectorXd e = entry.in_double.strain(spec, node_pose(s[0]), node_pose(s[1]));
-  return e.dot(std::get<LinearSpec>(spec.law).matrix * e) / 2;
-}
-
 }  // namespace
 
 System elastic_system(const Entry& entry, const JointSpec& spec, const std::array<Body, 2>& bodies) {
   return {bodies, [&entry, &spec](const State& s) { return joint_loads(entry, spec, s); },
-          [&entry, &spec](const State& s) { return law_energy(entry, spec, s); }};
+          [&entry, &spec](const State& s) {
+            return stored_energy(entry, spec, node_pose(s[0]), node_pose(s[1]));
+          }};
 }
 
 System free_system(const std::array<Body, 2>& bodies) {

@@ -37,9 +37,7 @@ double stored(const LawUnderTest& law, const Written& written, const Pose<double
     std::swap(spec.a, spec.b);
     std::swap(a, b);
   }
-  const Eigen::VectorXd e = law.entry->in_double.strain(spec, a, b);
-  if (spec.kind == Kind::linear_angular) return AnyLaw<double, 6>(spec.law).energy(e);
-  return AnyLaw<double, 3>(spec.law).energy(e);
+  return stored_energy(*law.entry, spec, a, b);
 }
 
 Eigen::VectorXd modes_of(const Eigen::MatrixXd& J, const BodyInertia& body, const Mat3<double>& R) {

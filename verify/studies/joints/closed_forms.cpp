@@ -41,6 +41,7 @@ void closed_forms(Checks& checks) {
     compare<closed::Intrinsic>(checks, "intrinsic", xi, fmt::format("_xi_{}", xi));
   }
   compare<closed::Conformal>(checks, "conformal", 0.5);
+  compare<closed::Fasse>(checks, "fasse", 0.5);
   compare<closed::Jointc>(checks, "jointc", 0);
   compare<closed::DrakeRpy>(checks, "drake_rpy", 0.5);
   compare<closed::ChronoBody>(checks, "chrono_body", 1);

@@ -40,7 +40,7 @@ struct Bushing {
   }
 };
 
-std::vector<Finding> compared() {
+std::vector<Finding> against_simbody() {
   const Entry& entry = *reference::find_formulation("simbody_xyz");
   const json data = reference::read_data("programs/simbody.json");
   Measurement loads, energy;
@@ -75,6 +75,6 @@ std::vector<Finding> compared() {
 
 }  // namespace
 
-void simbody(Checks& checks) { checks.push_back({"programs/simbody", "", compared}); }
+void simbody(Checks& checks) { checks.push_back({"programs/simbody", "", against_simbody}); }
 
 }  // namespace halfway::verify

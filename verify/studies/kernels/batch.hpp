@@ -25,6 +25,9 @@ struct BatchJoint {
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::LawForm law, bool ends,
                                      bool single);
 
+/// The same joints with laws that do not couple translation and rotation, which a batch may have a loop for.
+std::vector<BatchJoint> uncoupled(const Entry& entry, std::vector<BatchJoint> joints);
+
 /// The tables of some joints, and of their results.
 template <class T>
 struct BatchTables {

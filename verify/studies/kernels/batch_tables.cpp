@@ -131,6 +131,15 @@ std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, LawForm law,
   return out;
 }
 
+std::vector<BatchJoint> uncoupled(const Entry& entry, std::vector<BatchJoint> joints) {
+  for (BatchJoint& j : joints) {
+    auto& K = std::get<reference::LinearSpec>(j.spec.law).matrix;
+    K.topRightCorner(3, 3).setZero(), K.bottomLeftCorner(3, 3).setZero();
+    solve(entry, j);
+  }
+  return joints;
+}
+
 template <class T>
 BatchTables<T>::BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm law_,
                             bool ends_, int rows)

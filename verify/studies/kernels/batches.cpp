@@ -101,6 +101,7 @@ void all_outputs(const Entry& entry, const JointSets& joints, LawForm law, bool 
 std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
   const JointSets linear = batch_joints(entry, kind, LawForm::linear, true, false);
   const JointSets bare = batch_joints(entry, kind, LawForm::linear, false, false);
+  const JointSets block_diagonal = kind == Kind::linear_angular ? uncoupled(entry, bare) : JointSets{};
   const JointSets odd = batch_joints(entry, kind, LawForm::polynomial, true, false);
   const JointSets single = batch_joints(entry, kind, LawForm::linear, true, true);
   std::vector<Finding> out;
@@ -109,6 +110,8 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
     Errors errors, of_odd, in_float;
     all_outputs<double>(entry, linear, LawForm::linear, true, isa, errors);
     all_outputs<double>(entry, bare, LawForm::linear, false, isa, errors);
+    if (!block_diagonal.empty())
+      all_outputs<double>(entry, block_diagonal, LawForm::linear, false, isa, errors);
     all_outputs<double>(entry, odd, LawForm::polynomial, true, isa, of_odd);
     all_outputs<float>(entry, single, LawForm::linear, true, isa, in_float);
     const std::string of = std::string("batch_") + batch::to_string(isa);

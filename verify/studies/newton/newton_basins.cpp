@@ -137,6 +137,7 @@ const Scalar kScalars[] = {
     {"attached_b", [](double x) { return x; }, [](double) { return 1.0; }},
     {"jointc", [](double x) { return std::sin(2 * x) / 2; }, [](double x) { return std::cos(2 * x); }},
     {"quaternion", [](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }},
+    {"fasse", [](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }},
     {"conformal",
      [](double x) {
        const double t = std::tan(x / 4);

@@ -47,7 +47,9 @@ const OneAxisLaw kLaws[] = {
     {"jointc", [](double phi) { return std::sin(2 * phi) / 2; }, std::numbers::pi / 4, std::numbers::pi / 2,
      "strain sin(phi): m = k sin(phi) cos(phi), largest at pi/4, zero again at pi/2"},
     {"quaternion", [](double phi) { return std::sin(phi); }, std::numbers::pi / 2, std::numbers::pi,
-     "strain 2 sin(phi/2): m = k sin(phi), largest at pi/2, zero again at pi"}};
+     "strain 2 sin(phi/2): m = k sin(phi), largest at pi/2, zero again at pi"},
+    {"fasse", [](double phi) { return std::sin(phi); }, std::numbers::pi / 2, std::numbers::pi,
+     "potential k (1 - cos(phi)): m = k sin(phi), largest at pi/2, zero again at pi"}};
 
 Finding named(const OneAxisLaw& law, const std::string& what, double value, double limit,
               const std::string& why) {

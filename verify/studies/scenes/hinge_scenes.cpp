@@ -90,7 +90,7 @@ Measure measure_of(std::string_view formulation) {
     if (formulation == name) return [](const Real50& t) { return t; };
   // Of the others the strain e(t) and de/dt: the moment is their product.
   if (formulation == "jointc") return [](const Real50& t) { return sin(t) * cos(t); };
-  if (formulation == "quaternion") return [](const Real50& t) { return sin(t); };
+  if (formulation == "quaternion" || formulation == "fasse") return [](const Real50& t) { return sin(t); };
   if (formulation == "cayley")
     return [](const Real50& t) {
       const Real50 half = tan(t / Real50(2));
