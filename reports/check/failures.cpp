@@ -1,5 +1,7 @@
 // A failure as a file that somebody else can act on.
+#include "reports/check/causes.hpp"
 #include "reports/check/verdict.hpp"
+#include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
 #include <fmt/format.h>
@@ -72,9 +74,34 @@ struct Exchange {
   std::optional<TwelveLoads> said;
 };
 
-std::string file_name(const std::string& folder, std::string id) {
+std::string file_name(const std::string& folder, std::string id, const char* ending) {
   std::ranges::replace(id, '/', '.');
-  return folder + "/" + id + ".json";
+  return folder + "/" + id + ending;
+}
+
+/// What a maintainer is sent: the case, what was expected and found, the cause and the formula of the mend.
+std::string page(const Verdict& v, const Result& r, const nlohmann::ordered_json& facts) {
+  std::string out = fmt::format(
+      "# {}: {}\n\nIt does not hold: relative defect {:.2g}, where {:.2g} is left by rounding.\n\n",
+      reports::printable(v.hello.name), r.title, r.value, r.limit);
+  out += fmt::format("Expected: `{}`\n\n", r.law);
+  if (facts.contains("asked")) {
+    out += "Smallest case found, asked in turn:\n\n```json\n";
+    for (const auto& one : facts["asked"]) out += one.dump() + "\n";
+    out +=
+        "```\n\nUnits m, N, N m, N/m, N m/rad; q, h are quaternions (w, x, y, z), body axes to global and "
+        "joint axes to body; "
+        "loads are force and moment on a, then on b, about the bodies' origins, global axes.\n\n";
+  } else {
+    out += fmt::format("Worst: {}\n\n", r.where);
+  }
+  for (const std::string& words : v.identity.convention.words())
+    out += fmt::format("Convention: {}.\n", words);
+  const Cause* cause = v.is_known ? find_cause(v.identity.name, r.id) : nullptr;
+  if (cause) out += fmt::format("\nCause: {}\n\nMend: {}\n", cause->why, cause->fix);
+  if (facts.contains("repeat"))
+    out += fmt::format("\nTo repeat:\n\n```sh\n{}\n```\n", facts["repeat"].get<std::string>());
+  return out;
 }
 
 }  // namespace
@@ -89,28 +116,31 @@ std::vector<std::string> write_failures(const Verdict& v, const std::string& fol
   const Answerer joint = reference::translated(heard, v.identity.convention);
   const auto line = [&](const Ask& ask) { return request_line("again", ask, !v.hello.linear_angular, ""); };
   std::vector<std::string> files;
+  const auto write = [&](const Result& r, const char* ending, const std::string& text) {
+    files.push_back(file_name(folder, r.id, ending));
+    reports::write_file(files.back(), text);
+  };
   for (const Result& r : v.results) {
+    if (r.status != Status::fail && r.status != Status::expected_fail) continue;
+    nlohmann::ordered_json out{
+        {"id", r.id}, {"held", r.title}, {"equation", r.law}, {"defect", r.value}, {"limit", r.limit}};
     const auto property = std::ranges::find(singles(), r.id, &Single::id);
-    if (!r.at || property == singles().end()) continue;
-    const Ask ask = program.is_live() ? smallest(*r.at, *property, joint, r.limit) : *r.at;
-    exchanges.clear();
-    const double again = property->defect(joint, {ask}).worst.value(),
-                 defect = program.is_live() ? again : r.value;
-    nlohmann::ordered_json out{{"id", r.id},
-                               {"held", r.title},
-                               {"equation", r.law},
-                               {"defect", defect},
-                               {"limit", r.limit},
-                               {"digits_lost", std::log10(defect / r.limit)},
-                               {"convention", v.identity.convention.words()}};
-    for (const Exchange& e : exchanges) {
-      nlohmann::ordered_json one{{"request", nlohmann::ordered_json::parse(line(e.asked))}};
-      if (e.said) one["loads"] = list(*e.said);
-      out["asked"].push_back(one);
+    if (r.at && property != singles().end()) {
+      const Ask ask = program.is_live() ? smallest(*r.at, *property, joint, r.limit) : *r.at;
+      exchanges.clear();
+      const double again = property->defect(joint, {ask}).worst.value();
+      if (program.is_live()) out["defect"] = again;
+      out["digits_lost"] = std::log10(out["defect"].get<double>() / r.limit);
+      out["convention"] = v.identity.convention.words();
+      for (const Exchange& e : exchanges) {
+        nlohmann::ordered_json one{{"request", nlohmann::ordered_json::parse(line(e.asked))}};
+        if (e.said) one["loads"] = list(*e.said);
+        out["asked"].push_back(one);
+      }
+      out["repeat"] = program.repeat(line(exchanges.front().asked));
+      write(r, ".json", out.dump(1) + "\n");
     }
-    out["repeat"] = program.repeat(line(exchanges.front().asked));
-    files.push_back(file_name(folder, r.id));
-    reports::write_file(files.back(), out.dump(1) + "\n");
+    write(r, ".md", page(v, r, out));
   }
   return files;
 }
