@@ -66,6 +66,48 @@ nlohmann::ordered_json request(const Ask& ask) {
   return out;
 }
 
+namespace {
+
+template <int n>
+Eigen::Matrix<double, n, 1> numbers(const nlohmann::json& list) {
+  Eigen::Matrix<double, n, 1> out;
+  for (int i = 0; i < n; ++i) out[i] = list.at(std::size_t(i)).get<double>();
+  return out;
+}
+
+/// A 3x3 block of K, from its row and column on.
+Mat3<double> block(const nlohmann::json& K, std::size_t first) {
+  Mat3<double> out;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) out(long(i), long(j)) = K.at(first + i).at(first + j).get<double>();
+  return out;
+}
+
+}  // namespace
+
+AskedBody read_body(const nlohmann::json& node) {
+  AskedBody out;
+  out.x = numbers<3>(node.at("x"));
+  out.q = numbers<4>(node.at("q"));
+  if (node.contains("o")) out.o = numbers<3>(node["o"]);
+  if (node.contains("h")) out.h = numbers<4>(node["h"]);
+  return out;
+}
+
+Ask read_request(const nlohmann::json& request) {
+  Ask ask;
+  ask.a = read_body(request.at("a"));
+  ask.b = read_body(request.at("b"));
+  const auto& K = request.at("law").at("K");
+  const bool has_forces = K.size() == 6;
+  if (has_forces) ask.K_f = block(K, 0);
+  ask.K_m = block(K, has_forces ? 3 : 0);
+  if (request.contains("mass")) ask.a.mass = request["mass"].at(0), ask.b.mass = request["mass"].at(1);
+  if (request.contains("inertia"))
+    ask.a.inertia = request["inertia"].at(0), ask.b.inertia = request["inertia"].at(1);
+  return ask;
+}
+
 Eigen::Vector4d times(const Eigen::Vector4d& p, const Eigen::Vector4d& q) {
   const Vec3<double> u = p.tail<3>(), v = q.tail<3>();
   Eigen::Vector4d out;

@@ -48,6 +48,11 @@ extern template programs::Situation<double> situation(const Ask&);
 /// The request of `halfway eval`, without id and formulation.
 nlohmann::ordered_json request(const Ask& ask);
 
+/// A body {x, q, o, h} and a whole question as they stand in a request; o, h, mass and inertia may be
+/// missing. Throws nlohmann::json::exception.
+AskedBody read_body(const nlohmann::json& node);
+Ask read_request(const nlohmann::json& request);
+
 /// Product and conjugate of quaternions (w, x, y, z), and the one of a rotation vector.
 Eigen::Vector4d times(const Eigen::Vector4d& p, const Eigen::Vector4d& q);
 Eigen::Vector4d conjugate(const Eigen::Vector4d& q);

@@ -7,31 +7,19 @@ namespace {
 
 using nlohmann::json;
 
-template <int n>
-Eigen::Matrix<double, n, 1> numbers(const json& list) {
-  Eigen::Matrix<double, n, 1> out;
-  for (int i = 0; i < n; ++i) out[i] = list.at(std::size_t(i)).get<double>();
-  return out;
-}
-
-AskedBody body(const json& node) {
-  AskedBody out;
-  out.x = numbers<3>(node.at("x"));
-  out.q = numbers<4>(node.at("q"));
-  out.o = numbers<3>(node.at("o"));
-  out.h = numbers<4>(node.at("h"));
-  return out;
+Vec3<double> triple(const json& list) {
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
 }
 
 MeasuredPose pose_of(const json& pose) {
   MeasuredPose out;
   out.id = pose.at("id").get<int>();
-  out.ask.a = body(pose.at("a"));
-  out.ask.b = body(pose.at("b"));
-  out.ask.K_f = numbers<3>(pose.at("k_trans")).asDiagonal();
-  out.ask.K_m = numbers<3>(pose.at("k_rot")).asDiagonal();
-  out.loads << -numbers<3>(pose.at("f_a")), -numbers<3>(pose.at("m_a")), -numbers<3>(pose.at("f_b")),
-      -numbers<3>(pose.at("m_b"));
+  out.ask.a = read_body(pose.at("a"));
+  out.ask.b = read_body(pose.at("b"));
+  out.ask.K_f = triple(pose.at("k_trans")).asDiagonal();
+  out.ask.K_m = triple(pose.at("k_rot")).asDiagonal();
+  out.loads << -triple(pose.at("f_a")), -triple(pose.at("m_a")), -triple(pose.at("f_b")),
+      -triple(pose.at("m_b"));
   return out;
 }
 

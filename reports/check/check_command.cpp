@@ -1,6 +1,7 @@
 // halfway check: what joint is that program's?
 #include "reports/check/commands.hpp"
-#include "reports/check/run_check.hpp"
+#include "reports/check/judge/run_check.hpp"
+#include "reports/check/known_joint.hpp"
 #include "reports/check/self_test.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/progress.hpp"
@@ -16,7 +17,7 @@ namespace halfway::check {
 namespace {
 
 struct CheckOptions {
-  std::string command, answers, fields, expected, out, junit, markdown, badge, questions;
+  std::string command, answers, fields, expected, out, junit, markdown, badge, questions, joint;
   double seconds = 10;
   bool bond = false, ctest = false, self_test = false;
 };
@@ -37,7 +38,10 @@ void write(const CheckOptions& o, const Verdict& verdict, Program& program) {
 void run(const CheckOptions& o) {
   if (o.self_test) return self_test();
   if (!o.questions.empty()) {
-    reports::write_file(o.questions, all_questions({}, o.bond));
+    const Answerer joint = o.joint.empty() ? Answerer() : known_joint(o.joint, 0.5);
+    const bool is_table = o.questions.ends_with(".csv");
+    reports::write_file(o.questions, is_table ? questions_as_table({}, o.bond, joint)
+                                              : questions_as_lines({}, o.bond, joint));
     reports::print(fmt::format("wrote {}\n", o.questions));
     return;
   }
@@ -63,7 +67,9 @@ void add_check(CLI::App& app) {
   command->add_option("--command", o->command,
                       "The program and its arguments; JSON lines in, JSON lines out");
   command->add_option("--answers", o->answers, "Or its answers to the questions of --questions, JSON lines");
-  command->add_option("--questions", o->questions, "Write the questions to a file, and ask nobody");
+  command->add_option("--questions", o->questions,
+                      "Write the questions to a file, and ask nobody: JSON lines, or FILE.csv");
+  command->add_option("--joint", o->joint, "With --questions: the loads of this joint beside them");
   command->add_option("--fields", o->fields, "JSON object that is added to every question");
   command->add_option("--timeout", o->seconds, "Seconds for an answer")
       ->capture_default_str()

@@ -1,7 +1,7 @@
 #include "reports/check/program.hpp"
 
-#include "reports/check/child.hpp"
-#include "reports/check/words.hpp"
+#include "reports/check/child/child.hpp"
+#include "reports/check/child/words.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/views/files.hpp"
 

@@ -1,7 +1,7 @@
 // Who answers: a running program, or a file of answers.
 #pragma once
 
-#include "reports/check/questions.hpp"
+#include "reports/check/judge/questions.hpp"
 
 #include <functional>
 #include <memory>

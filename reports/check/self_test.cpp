@@ -1,6 +1,6 @@
 #include "reports/check/self_test.hpp"
 
-#include "reports/check/run_check.hpp"
+#include "reports/check/judge/run_check.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
 

@@ -1,8 +1,9 @@
 // halfway-check subject: a program that answers with a joint of ours, and with the mistakes of others.
+#include "reference/programs/convention.hpp"
 #include "reference/programs/joints.hpp"
 #include "reports/check/commands.hpp"
+#include "reports/check/known_joint.hpp"
 #include "reports/check/program.hpp"
-#include "reports/check/wrong_twins.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <fmt/format.h>
@@ -25,51 +26,6 @@ struct SubjectOptions {
   std::string joint, mistake;
   double xi = 0.5;
 };
-
-template <int n>
-Eigen::Matrix<double, n, 1> numbers(const json& list) {
-  Eigen::Matrix<double, n, 1> out;
-  for (int i = 0; i < n; ++i) out[i] = list.at(std::size_t(i)).get<double>();
-  return out;
-}
-
-reference::AskedBody body(const json& node) {
-  reference::AskedBody out;
-  out.x = numbers<3>(node.at("x"));
-  out.q = numbers<4>(node.at("q"));
-  if (node.contains("o")) out.o = numbers<3>(node["o"]);
-  if (node.contains("h")) out.h = numbers<4>(node["h"]);
-  return out;
-}
-
-Ask ask_of(const json& line) {
-  Ask ask;
-  ask.a = body(line.at("a"));
-  ask.b = body(line.at("b"));
-  const json& K = line.at("law").at("K");
-  const bool angular = K.size() == 3;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const auto at = [&](int row, int column) {
-        return K.at(std::size_t(row)).at(std::size_t(column)).get<double>();
-      };
-      ask.K_m(i, j) = angular ? at(i, j) : at(3 + i, 3 + j);
-      if (!angular) ask.K_f(i, j) = at(i, j);
-    }
-  }
-  if (line.contains("mass")) ask.a.mass = line["mass"][0], ask.b.mass = line["mass"][1];
-  if (line.contains("inertia")) ask.a.inertia = line["inertia"][0], ask.b.inertia = line["inertia"][1];
-  return ask;
-}
-
-Answerer joint_of(const SubjectOptions& o) {
-  if (const auto* program = reference::find_program_joint(o.joint)) return program->in_double;
-  if (const auto* entry = reference::find_formulation(o.joint)) return reference::answerer(*entry, o.xi);
-  for (const auto& twin : wrong_twins())
-    if (twin.name.find(o.joint) != std::string::npos) return twin.answer;
-  throw reports::BadInput(
-      fmt::format("no joint is called '{}'; allowed: those of ./halfway list and programs.def", o.joint));
-}
 
 /// The mistakes that are a convention.
 std::optional<Convention> convention_of(const std::string& mistake) {
@@ -100,14 +56,14 @@ Answerer lying(const Answerer& honest) {
 }
 
 void answer(const Answerer& joint, const json& line) {
-  const TwelveLoads q = joint(ask_of(line));
+  const TwelveLoads q = joint(reference::read_request(line));
   const json out{{"id", line.at("id")}, {"loads", std::vector<double>(q.data(), q.data() + 12)}};
   std::puts(out.dump().c_str());
   std::fflush(stdout);
 }
 
 void run(const SubjectOptions& o) {
-  Answerer joint = joint_of(o);
+  Answerer joint = known_joint(o.joint, o.xi);
   if (o.mistake == "lying")
     joint = lying(joint);
   else if (const auto convention = convention_of(o.mistake))

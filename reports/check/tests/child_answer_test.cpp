@@ -1,6 +1,6 @@
 // Lines cut from bytes, and what each line is: an answer, chatter, or a broken answer whose id is still
 // found.
-#include "reports/check/child_answer.hpp"
+#include "reports/check/child/child_answer.hpp"
 
 #include <boost/test/unit_test.hpp>
 

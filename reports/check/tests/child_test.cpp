@@ -1,7 +1,7 @@
 // Real programs that misbehave, one way each: what is said of each request, and that none of their processes
 // is left.
-#include "reports/check/child.hpp"
-#include "reports/check/words.hpp"
+#include "reports/check/child/child.hpp"
+#include "reports/check/child/words.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/interrupts.hpp"
 

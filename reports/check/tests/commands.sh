@@ -1,7 +1,7 @@
 #!/bin/sh
-# The command itself: files in and out, refusals, exit codes.  commands.sh HALFWAY_CHECK XSD_FOLDER
+# The command itself: files in and out, refusals, exit codes.  commands.sh HALFWAY_CHECK XSD_FOLDER SCHEMA
 set -eu
-check=$1 xsd=$2
+check=$1 xsd=$2 schema=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -40,7 +40,21 @@ refused 1 'UNEXPECTED PASS' --command "'$check' subject conformal" --expected kn
 refused 1 'your joint is jolt_6dof' --answers answers.jsonl
 grep -q 'FAIL             level3/body_order' said || fail "answers: order"
 
+# Vectors for the tests of others: every line by its schema, the same numbers in both forms.
+"$check" check --questions vectors.jsonl --joint invariant >/dev/null
+"$check" check --questions vectors.csv --joint invariant >/dev/null
+[ "$(wc -l <vectors.csv)" -eq $(($(wc -l <vectors.jsonl) + 1)) ] || fail "rows of the table"
+if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
+  /usr/bin/python3 - "$schema" vectors.jsonl <<'PY' || fail "vectors are not by their schema"
+import json, jsonschema, sys
+schema = json.load(open(sys.argv[1]))
+for line in open(sys.argv[2]):
+    jsonschema.validate(json.loads(line), schema)
+PY
+fi
+
 # Bad input, in words.
+refused 2 'no joint is called' --questions v.jsonl --joint nobody
 refused 2 '--command' --questions ''
 refused 2 'quote' --command "'open"
 refused 2 'is no JSON object' --command "'$check' subject conformal" --fields '[1]'

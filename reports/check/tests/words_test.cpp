@@ -1,5 +1,5 @@
 // A command line as words: what `sh` makes of the same text.
-#include "reports/check/words.hpp"
+#include "reports/check/child/words.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,4 @@
-#include "reports/check/tangent.hpp"
+#include "reports/check/judge/tangent.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Is the tangent that a program gives the derivative of the loads that it gives?
 #pragma once
 
-#include "reports/check/examine.hpp"
+#include "reports/check/judge/examine.hpp"
 
 namespace halfway::check {
 

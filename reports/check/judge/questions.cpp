@@ -1,4 +1,4 @@
-#include "reports/check/questions.hpp"
+#include "reports/check/judge/questions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

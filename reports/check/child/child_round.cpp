@@ -1,4 +1,4 @@
-#include "reports/check/child_round.hpp"
+#include "reports/check/child/child_round.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // A failure as a file that somebody else can act on.
-#include "reports/check/causes.hpp"
-#include "reports/check/verdict.hpp"
+#include "reports/check/judge/causes.hpp"
+#include "reports/check/judge/verdict.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 

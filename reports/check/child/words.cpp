@@ -1,4 +1,4 @@
-#include "reports/check/words.hpp"
+#include "reports/check/child/words.hpp"
 
 #include "reports/cli/errors.hpp"
 

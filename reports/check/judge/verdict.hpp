@@ -1,7 +1,7 @@
 // What a check found, whole, and the forms that people and machines read.
 #pragma once
 
-#include "reports/check/examine.hpp"
+#include "reports/check/judge/examine.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "reports/check/child_answer.hpp"
+#include "reports/check/child/child_answer.hpp"
 
 #include <fmt/format.h>
 

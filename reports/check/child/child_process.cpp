@@ -1,4 +1,4 @@
-#include "reports/check/child_process.hpp"
+#include "reports/check/child/child_process.hpp"
 
 #include "reports/cli/errors.hpp"
 

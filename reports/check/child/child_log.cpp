@@ -1,6 +1,6 @@
-#include "reports/check/child_log.hpp"
+#include "reports/check/child/child_log.hpp"
 
-#include "reports/check/child_lines.hpp"
+#include "reports/check/child/child_lines.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "reports/check/causes.hpp"
+#include "reports/check/judge/causes.hpp"
 
 #include <algorithm>
 #include <iterator>

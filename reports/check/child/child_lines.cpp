@@ -1,4 +1,4 @@
-#include "reports/check/child_lines.hpp"
+#include "reports/check/child/child_lines.hpp"
 
 #include "reports/cli/streams.hpp"
 

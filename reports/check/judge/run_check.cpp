@@ -1,9 +1,10 @@
-#include "reports/check/run_check.hpp"
+#include "reports/check/judge/run_check.hpp"
 
-#include "reports/check/tangent.hpp"
+#include "reports/check/judge/tangent.hpp"
 #include "reports/check/wrong_twins.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -108,7 +109,9 @@ Verdict run_check(Program& program, bool as_bond, const Told& told) {
   return Checking(program, as_bond, told).run();
 }
 
-std::string all_questions(const Hello& hello, bool as_bond) {
+namespace {
+
+Questions all_questions(const Hello& hello, bool as_bond) {
   Questions questions;
   const auto write_all = [&](const char* group, const std::vector<Ask>& asks) {
     const Answerer write = questions.writer(group);
@@ -117,10 +120,52 @@ std::string all_questions(const Hello& hello, bool as_bond) {
   write_all("level1/identity", identity_asks(hello));
   write_all("level1/family", family_asks(hello));
   examine(questions.writer("level2"), hello, as_bond);
+  return questions;
+}
+
+}  // namespace
+
+std::string questions_as_lines(const Hello& hello, bool as_bond, const Answerer& joint) {
+  const Questions questions = all_questions(hello, as_bond);
   std::string out;
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    out += request_line(questions.ids()[i], questions.asks()[i], !hello.linear_angular, "") + "\n";
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    std::string line = request_line(questions.ids()[i], questions.asks()[i], !hello.linear_angular, "");
+    if (joint) {
+      line.back() = ',';
+      line += fmt::format("\"loads\":[{}]}}", fmt::join(joint(questions.asks()[i]), ","));
+    }
+    out += line + "\n";
+  }
   return out;
+}
+
+std::string questions_as_table(const Hello& hello, bool as_bond, const Answerer& joint) {
+  const Questions questions = all_questions(hello, as_bond);
+  std::string out = "id";
+  for (const char* node : {"a", "b"}) {
+    for (const char* what : {"x", "q", "o", "h"}) {
+      const int count = *what == 'q' || *what == 'h' ? 4 : 3;
+      for (int i = 0; i < count; ++i) out += fmt::format(",{}_{}{}", what, node, i);
+    }
+  }
+  for (const char* what : {"Kf", "Km"})
+    for (int i = 0; i < 9; ++i) out += fmt::format(",{}{}{}", what, i / 3, i % 3);
+  if (joint) {
+    for (const char* what : {"fa", "ma", "fb", "mb"})
+      for (int i = 0; i < 3; ++i) out += fmt::format(",{}{}", what, i);
+  }
+  const auto add = [&](const auto& values) {
+    for (const double x : values.reshaped()) out += fmt::format(",{}", x);
+  };
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const Ask& ask = questions.asks()[i];
+    out += "\n" + questions.ids()[i];
+    for (const reference::AskedBody* body : {&ask.a, &ask.b})
+      add(body->x), add(body->q), add(body->o), add(body->h);
+    add(Mat3<double>(ask.K_f.transpose())), add(Mat3<double>(ask.K_m.transpose()));
+    if (joint) add(joint(ask));
+  }
+  return out + "\n";
 }
 
 }  // namespace halfway::check

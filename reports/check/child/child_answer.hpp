@@ -1,7 +1,7 @@
 // A line of the program under check, read: whose answer it is, and what is wrong with it.
 #pragma once
 
-#include "reports/check/child_lines.hpp"
+#include "reports/check/child/child_lines.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "reports/check/child.hpp"
+#include "reports/check/child/child.hpp"
 
 #include "reports/cli/errors.hpp"
 #include "reports/cli/interrupts.hpp"

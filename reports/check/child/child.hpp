@@ -2,10 +2,10 @@
 // and whatever it does instead said of the request that it did it to.
 #pragma once
 
-#include "reports/check/child_answer.hpp"
-#include "reports/check/child_log.hpp"
-#include "reports/check/child_process.hpp"
-#include "reports/check/child_round.hpp"
+#include "reports/check/child/child_answer.hpp"
+#include "reports/check/child/child_log.hpp"
+#include "reports/check/child/child_process.hpp"
+#include "reports/check/child/child_round.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The requests of one ask(): which wait, which are under way, what became of the others.
 #pragma once
 
-#include "reports/check/child_answer.hpp"
+#include "reports/check/child/child_answer.hpp"
 
 #include <deque>
 #include <map>

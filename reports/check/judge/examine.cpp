@@ -1,4 +1,4 @@
-#include "reports/check/examine.hpp"
+#include "reports/check/judge/examine.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/check/verdict.hpp"
+#include "reports/check/judge/verdict.hpp"
 
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
