@@ -1,7 +1,7 @@
 #include "reports/check/known_joint.hpp"
 
 #include "reference/programs/joints.hpp"
-#include "reports/check/wrong_twins.hpp"
+#include "reports/check/judge/wrong_twins.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <fmt/format.h>

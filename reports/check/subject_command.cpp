@@ -2,8 +2,8 @@
 #include "reference/programs/convention.hpp"
 #include "reference/programs/joints.hpp"
 #include "reports/check/commands.hpp"
+#include "reports/check/judge/program.hpp"
 #include "reports/check/known_joint.hpp"
-#include "reports/check/program.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <fmt/format.h>

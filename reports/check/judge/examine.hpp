@@ -4,7 +4,7 @@
 #include "reference/programs/family_fit.hpp"
 #include "reference/programs/identify.hpp"
 #include "reference/programs/properties.hpp"
-#include "reports/check/program.hpp"
+#include "reports/check/judge/program.hpp"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "reports/check/judge/run_check.hpp"
 
 #include "reports/check/judge/tangent.hpp"
-#include "reports/check/wrong_twins.hpp"
+#include "reports/check/judge/wrong_twins.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "reports/check/program.hpp"
+#include "reports/check/judge/program.hpp"
 
 #include "reports/check/child/child.hpp"
 #include "reports/check/child/words.hpp"

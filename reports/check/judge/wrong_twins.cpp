@@ -1,4 +1,4 @@
-#include "reports/check/wrong_twins.hpp"
+#include "reports/check/judge/wrong_twins.hpp"
 
 #include "verify/oracle/mutants/forms.hpp"
 
