@@ -5,7 +5,7 @@ import {short} from '../format.js';
 /** @typedef {import('../results').ProgramCase} ProgramCase */
 /** `isAgain`: the row above is of the same law.
  * @typedef {{program: string, version: string, law: string, known: string, source: string, agreement: string,
- *   details: string, defects: string, keeps: string, isAgain: boolean}} Row */
+ *   details: string, defects: string, facts: string, isAgain: boolean}} Row */
 
 /** @param {import('../results').ProgramDefect} defect */
 export const defectText = ({words, size}) => `${words}: ${short(size)}`;
@@ -24,7 +24,7 @@ const rowOf = (law, run, isAgain) => ({
   agreement: run ? run.digits.toFixed(1) : '',
   details: run ? detailsOf(run) : '',
   defects: law.defects.map(defectText).join('; '),
-  keeps: law.facts.join('; '),
+  facts: law.facts.join('; '),
   isAgain
 });
 

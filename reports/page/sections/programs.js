@@ -22,14 +22,7 @@ const cells = (row) => [
   h('code', {}, row.law),
   row.isAgain ? row.known : [row.known, aside(row.source)],
   row.agreement ? h('span', {title: row.details}, row.agreement) : '–',
-  row.isAgain
-    ? 'as above'
-    : h(
-        'div',
-        {class: 'prose'},
-        row.defects || 'none found',
-        row.keeps ? aside(`Keeps: ${row.keeps}.`) : null
-      )
+  row.isAgain ? 'as above' : [row.defects || 'none found', row.facts ? aside(row.facts) : null]
 ];
 
 /** @param {import('../data.js').Results} results */
@@ -38,7 +31,7 @@ export function programsTable(results) {
     return new Absent('no joint of another program was verified with these results');
   const {laws, run} = countsOf(results);
   return [
-    plainTable('What real programs compute', COLUMNS, rowsOf(results).map(cells)),
+    plainTable('What real programs compute', COLUMNS, rowsOf(results).map(cells), undefined, true),
     h(
       'p',
       {class: 'note'},

@@ -19,7 +19,7 @@ test('one row a program that was run, one a law that was only read, in the order
 test('defects in words with their sizes; none is no text', () => {
   const [first, , read] = rowsOf(new Results(fixture()));
   assert.equal(first.defects, 'moments do not balance: 0.66; the order of the bodies matters: 1.3');
-  assert.equal(first.keeps, 'no axes of its own');
+  assert.equal(first.facts, 'no axes of its own');
   assert.equal(read.defects, '');
   assert.equal(defectText({words: 'works', size: 4.2e-4, finding: ''}), 'works: 4.2·10⁻⁴');
 });
