@@ -13,6 +13,13 @@
 namespace halfway::reports {
 namespace {
 
+/// Counted in the list itself: the laws are linked by who compares with them.
+#define HALFWAY_PROGRAM(type, header) +1
+constexpr int kProgramJoints = 0
+#include "halfway/programs/programs.def"
+    ;
+#undef HALFWAY_PROGRAM
+
 void list_formulations() {
   std::size_t width = 0;
   for (const auto& entry : reference::formulations()) width = std::max(width, entry.name.size());
@@ -39,6 +46,12 @@ void list_scenes() {
     print(fmt::format("  {:<{}}  {}\n", scene.name, width, printable(scene.title)));
 }
 
+void list_programs() {
+  print(fmt::format(
+      "\n{} joints of other programs besides; `./halfway check` compares yours with all of them\n",
+      kProgramJoints));
+}
+
 }  // namespace
 
 void add_list(CLI::App& app) {
@@ -50,6 +63,7 @@ void add_list(CLI::App& app) {
     if (*types) return list_types();
     list_formulations();
     list_scenes();
+    list_programs();
   });
 }
 

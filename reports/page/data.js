@@ -39,6 +39,7 @@ export class Results {
     this.timings = json.timings.map(withDefaults);
     this.left_out = json.left_out;
     this.saboteurs = json.saboteurs ?? [];
+    this.programs = json.programs ?? [];
     this.paper = json.paper;
     this.solids = json.solids;
     this.speed = json.speed;

@@ -12,6 +12,7 @@ export interface ResultsFile {
   timings: Array<Timing>;
   left_out: Array<LeftOut>;
   saboteurs?: Array<Sabotaged>;
+  programs?: Array<Program>;
   paper?: Paper;
   solids?: Solids;
   speed?: Speed;
@@ -139,6 +140,34 @@ export interface Sabotaged {
   sees: Array<string>;
   caught_by: Array<string>;
   wrong: Array<string>;
+}
+
+export interface Program {
+  name: string;
+  stands_for: string;
+  known: "measured" | "read in the source" | "manual" | "reconstructed";
+  source: string;
+  facts: Array<string>;
+  cases: Array<ProgramCase>;
+  defects: Array<ProgramDefect>;
+}
+
+export interface ProgramCase {
+  name: string;
+  program: string;
+  version: string;
+  how: string;
+  answers: "kept" | "live";
+  poses: number;
+  digits: number;
+  good_to: number;
+  finding: string;
+}
+
+export interface ProgramDefect {
+  words: string;
+  size: number;
+  finding: string;
 }
 
 export interface LeftOut {

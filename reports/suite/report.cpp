@@ -1,17 +1,18 @@
 // halfway report: verifies, solves the scenes, times, and writes the page and its data.
 #include "bench/harness/timing.hpp"
 #include "bench/questions/methods/skipped.hpp"
+#include "reference/record/effort.hpp"
 #include "reference/scene/names.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/views/paper.hpp"
+#include "reports/views/programs.hpp"
 #include "reports/views/solids.hpp"
 #include "reports/views/speed.hpp"
 #include "reports/views/stability/stability.hpp"
 #include "reports/views/writers.hpp"
 #include "verify/check.hpp"
-#include "reference/record/effort.hpp"
 #include "verify/oracle/saboteurs/matrix.hpp"
 
 #include <fmt/format.h>
@@ -143,6 +144,7 @@ void report(const ReportOptions& options) {
         {missing.at("what"), "its kept data is missing or stale: run ./halfway reference"});
   }
   results.durations["verify"] = timed([&] { verify_all(options, results); });
+  results.programs = programs_record(results.findings);
   results.durations["solve"] = timed([&] { solve_all(options, results); });
   if (options.only.empty() && !options.quick) {
     results.durations["stability"] =

@@ -175,6 +175,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"speed", results.speed},
           {"stability", results.stability},
           {"durations", results.durations}};
+  if (!results.programs.empty()) json["programs"] = results.programs;
 }
 
 }  // namespace halfway::reports

@@ -54,6 +54,7 @@ struct Results {
   std::vector<LeftOut> left_out;
   std::vector<verify::Row> saboteurs;                   ///< what each check was seen to fail for
   nlohmann::json paper = nlohmann::json::object();      ///< printed tables and others' curves, see SCHEMA.md
+  nlohmann::json programs = nlohmann::json::array();    ///< joints of other programs, see SCHEMA.md
   nlohmann::json solids = nlohmann::json::object();     ///< the 3D truth, see SCHEMA.md
   nlohmann::json speed = nlohmann::json::object();      ///< limits, targets and choices, see SCHEMA.md
   nlohmann::json stability = nlohmann::json::object();  ///< where methods fail, see SCHEMA.md

@@ -58,6 +58,25 @@ std::string accuracy_table(const Results& results) {
   return text;
 }
 
+/// Programs that were run, by their laws; nothing where none was.
+std::string programs_table(const Results& results) {
+  std::string rows;
+  for (const auto& law : results.programs) {
+    std::string defects;
+    for (const auto& d : law.at("defects"))
+      defects += fmt::format("{}{}: {:.2g}", defects.empty() ? "" : "; ", d.at("words").get<std::string>(),
+                             d.at("size").get<double>());
+    for (const auto& run : law.at("cases"))
+      rows += fmt::format("| {} | {} | `{}` | {:.1f} | {} |\n", cell(run.at("program")),
+                          cell(run.at("version")), law.at("name").get<std::string>(),
+                          run.at("digits").get<double>(), defects.empty() ? "none found" : cell(defects));
+  }
+  if (rows.empty()) return "";
+  return "## What real programs compute\n\n| program | version | law | agreement, digits | defects |\n"
+         "|---|---|---|---|---|\n" +
+         rows + "\n";
+}
+
 /// What the question "which joint for large angles?" gets for an answer.
 std::string farthest(const Results& results) {
   const FormulationInfo* best = nullptr;
@@ -123,11 +142,11 @@ std::string summary_markdown(const Results& results) {
       "add -q to the "
       "equations of "
       "motion.\n\n"
-      "## Failed\n\n{}\n## Left out\n\n{}\n"
+      "{}## Failed\n\n{}\n## Left out\n\n{}\n"
       "Machine: {}; {} {}; {}; commit {}; {}. Reproduce with `{}`.\n",
       all.total(), all.pass, all.fail, all.known_failure, all.left_out, accuracy_table(results),
-      farthest(results), failures(results), left_out(results), c.machine, c.compiler, c.flags, c.build_type,
-      c.commit, c.date, results.command);
+      farthest(results), programs_table(results), failures(results), left_out(results), c.machine, c.compiler,
+      c.flags, c.build_type, c.commit, c.date, results.command);
 }
 
 }  // namespace halfway::reports

@@ -4,6 +4,7 @@ import {costFigure} from '../charts/solids/solids_cost.js';
 import {newtonFigure} from '../charts/solids/solids_newton.js';
 import {figuresOf} from '../data/figures_data.js';
 import {solidsOf} from '../data/solids_data.js';
+import {programsTable} from './programs.js';
 import {saboteursTable} from './saboteurs.js';
 import {bodiesPart} from './solids/solids.js';
 import {bearingPart} from './solids/solids_bearing.js';
@@ -77,6 +78,12 @@ export const truthParts = (results) => [
   {id: 'table1', title: 'Table 1: the skewed torque, beside the print', build: () => table1(results)},
   ...sceneParts(results),
   ...solidParts(results),
+  {
+    id: 'programs',
+    title: 'What real programs compute',
+    optional: true,
+    build: () => programsTable(results)
+  },
   {
     id: 'saboteurs',
     title: 'What each check was seen to fail for',

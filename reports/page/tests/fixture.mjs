@@ -72,6 +72,27 @@ const rangeFinding = (name, i) =>
     parameter: `theta_2 within 1 % up to ${20 + 20 * i}, within 5 % up to ${60 + 20 * i}; phi = 0.50 rad at 270`
   });
 
+/** A law of other programs, with what a test changes. */
+export const program = (name, rest = {}) => ({
+  ...{name, stands_for: `engine <${name}>`, known: 'measured', source: 'engine 1.0', facts: [], cases: []},
+  defects: [],
+  ...rest
+});
+
+/** A program that was run. */
+export const run = (name, rest = {}) => ({
+  ...{
+    name,
+    program: `Engine <${name}>`,
+    version: '1.0',
+    how: 'one step from rest',
+    answers: 'kept',
+    poses: 32
+  },
+  ...{digits: 5.4, good_to: 5, finding: `programs/measured/double/${name}`},
+  ...rest
+});
+
 /** Fresh results: a test may change them. */
 export function fixture() {
   const left = finding('attached_a/linear/symmetry', {verdict: 'left_out', value: null, reason: 'not asked'});
@@ -103,6 +124,17 @@ export function fixture() {
     left_out: [
       {what: left.name, reason: left.reason},
       {what: `${C2}/cayley, the rest of the path`, reason: 'half a turn'}
+    ],
+    programs: [
+      program('engine_law', {
+        facts: ['no axes of its own'],
+        cases: [run('engine'), run('engine_2')],
+        defects: [
+          {words: 'moments do not balance', size: 0.66, finding: 'programs/moment_balance/engine_law'},
+          {words: 'the order of the bodies matters', size: 1.3, finding: 'programs/body_order/engine_law'}
+        ]
+      }),
+      program('read_law', {known: 'read in the source'})
     ],
     paper: {
       reference_curves: [

@@ -1,5 +1,9 @@
-// Sizes of defects where the question is defined to the last pose: loops, free spin, second order.
+// Sizes of defects where the question is defined to the last pose: loops, free spin, second order, small
+// turns.
 #include "verify/studies/programs/subject.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace halfway::verify {
 namespace {
@@ -107,6 +111,31 @@ std::vector<Finding> order(const Order& o) {
               .by(Oracle::closed_form)};
 }
 
+/// Moment over angle of small turns about each axis, K_m = I: the stiffness asked for, but for these.
+struct Share {
+  std::string_view joint;
+  double of_asked;
+};
+constexpr Share kShares[] = {{"physx_slerp", 1. / 4}, {"mujoco_weld", 1. / 8}};
+
+Finding share(const reference::ProgramJoint& joint) {
+  const auto* other = std::ranges::find(kShares, joint.name, &Share::joint);
+  const double expected = other == std::end(kShares) ? 1 : other->of_asked;
+  const auto answer = program_subject(joint.name);
+  constexpr double kSmall = 1e-3;
+  Measurement off;
+  double farthest = NAN;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double seen = secant_stiffness(answer, axis, kSmall);
+    if (off.include(std::abs(seen - expected), "")) farthest = seen;
+  }
+  return program_finding("stiffness", joint.name)
+      .measured(farthest)
+      .in("of that asked for")
+      .equal(expected, kSmall * kSmall, "moments are odd in the angle: the rest is of its square, 1e-6")
+      .by(Oracle::closed_form);
+}
+
 }  // namespace
 
 void program_loops(Checks& checks) {
@@ -124,6 +153,14 @@ void program_free_spin(Checks& checks) {
 void program_second_order(Checks& checks) {
   for (const Order& o : kOrders)
     checks.push_back({fmt::format("programs/second_order/{}", o.joint), "", [&o] { return order(o); }});
+}
+
+void program_stiffness(Checks& checks) {
+  for (const auto& joint : reference::program_joints()) {
+    if (joint.facts.is_bond) continue;  // without its line it has no rotation
+    checks.push_back({fmt::format("programs/stiffness/{}", joint.name), "",
+                      [&joint] { return std::vector{share(joint)}; }});
+  }
 }
 
 }  // namespace halfway::verify
