@@ -2,10 +2,10 @@
 // the other order of the nodes.
 #include "verify/studies/frames/frames.hpp"
 
+#include "reference/record/effort.hpp"
 #include "reference/solve/buckling.hpp"
 #include "reference/solve/paths/branches.hpp"
 #include "reference/solve/solve.hpp"
-#include "reference/record/effort.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/scene_access.hpp"
 #include "verify/studies/frames/answers.hpp"

@@ -1,7 +1,7 @@
 // Ten thousand random scenes: each ends in equilibrium or with a named reason. And five hundred random
 // scene files: each is read, or refused with its line.
-#include "reference/solve/solve.hpp"
 #include "reference/record/effort.hpp"
+#include "reference/solve/solve.hpp"
 #include "verify/oracle/kept.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/replay.hpp"

@@ -2,8 +2,8 @@
 
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/zeros.hpp"
-#include "reference/solve/path.hpp"
 #include "reference/record/effort.hpp"
+#include "reference/solve/path.hpp"
 #include "verify/once.hpp"
 #include "verify/studies/newton/newton_order.hpp"
 
