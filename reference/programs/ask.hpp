@@ -30,7 +30,7 @@ struct Ask {
 /// Loads f_a, m_a, f_b, m_b about the bodies' origins, global axes.
 using TwelveLoads = programs::TwelveLoads<double>;
 /// The i-th of f_a, m_a, f_b, m_b.
-inline Vec3<double> part(const TwelveLoads& q, int i) { return q.segment<3>(3 * i); }
+inline Vec3<double> part(const TwelveLoads& q, int i) { return q.segment<3>(3L * i); }
 
 using Answerer = std::function<TwelveLoads(const Ask&)>;
 

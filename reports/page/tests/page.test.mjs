@@ -123,7 +123,8 @@ test('names are text, whatever they hold', {skip: skip || Boolean(process.env.PA
   open({hash: '#all'}, async (page) => {
     await page.waitForFunction(() => document.documentElement.dataset.everything === 'drawn');
     assert.match(await page.textContent('#formulations'), /law <brand_new>/);
-    assert.equal(await page.locator('brand_new').count(), 0);
+    assert.match(await page.textContent('#programs'), /Engine <engine>/);
+    assert.equal(await page.locator('brand_new, engine').count(), 0);
   })
 );
 
