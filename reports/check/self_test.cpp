@@ -23,7 +23,8 @@ const std::vector<Known>& known() {
       {"invariant --mistake transposed", {"your joint is invariant", "transposed matrix"}},
       {"invariant --mistake scalar_last", {"your joint is invariant", "(x, y, z, w)"}},
       {"invariant --mistake rotation_first", {"your joint is invariant", "rotations first"}},
-      {"attached_a --mistake swapped", {"your joint is attached_a", "bodies a and b are exchanged"}},
+      {"simbody_xyz --mistake swapped", {"your joint is simbody_xyz", "bodies a and b are exchanged"}},
+      {"attached_a --mistake swapped", {"your joint is attached_b"}},  // which it is
       {"invariant --mistake wrong_point", {"your joint is invariant", "about the global origin"}},
       {"invariant --mistake joint_points", {"your joint is invariant", "about the joint points"}},
       {"invariant --mistake degrees", {"your joint is invariant", "degrees"}},

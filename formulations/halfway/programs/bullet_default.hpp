@@ -81,6 +81,7 @@ struct BulletDefault {
           size += abs(next);
         }
         if (change <= small * size) return x;
+        if (!(change == change)) break;
       }
       return Six<T>::Constant(T(std::numeric_limits<double>::quiet_NaN()));
     }

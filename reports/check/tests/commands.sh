@@ -11,7 +11,7 @@ refused() {  # STATUS WORDS ARGUMENT...
   shift 2
   "$check" check "$@" >said 2>&1 || status=$?
   [ $status -eq "$wanted" ] || { cat said; fail "$* ended with $status, not $wanted"; }
-  grep -qF "$words" said || { cat said; fail "$* does not say '$words'"; }
+  grep -qF -- "$words" said || { cat said; fail "$* does not say '$words'"; }
 }
 
 # A healthy joint.

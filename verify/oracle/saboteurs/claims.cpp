@@ -29,6 +29,10 @@ constexpr Overlooks kOverlooked[] = {
     {"/six_modes", {.forces = true}, "tangents have the modes, moments the load"},
     {"/flutter_without_load", {.moments = true, .forces = true}, "judges the tangent of the forces"},
     {"/kernel_compensated", {.tangent = true}, "compares loads; /kernel has the tangent"},
+    {"/free_spin_x", {.forces = true}, "turns without moves: moments alone"},
+    {"/free_spin_z", {.forces = true}, "turns without moves: moments alone"},
+    {"/second_order_moments", {.forces = true}, "turns without moves: moments alone"},
+    {"programs/turns", {.forces = true}, "turns without moves: moments alone"},
     {"/rounding_tangent", {.moments = true, .forces = true}, "compares tangents; /rounding has the loads"},
 };
 

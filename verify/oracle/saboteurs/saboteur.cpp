@@ -50,6 +50,16 @@ Entry energy_nan(const Entry& healthy) {
   });
 }
 
+Entry energy_off(const Entry& healthy) {
+  return changed(healthy, []<class T>(Evaluators<T>& e) {
+    e.energy = [energy = e.energy](const JointSpec& spec, const Pose<T>& a, const Pose<T>& b) {
+      std::optional<T> out = energy(spec, a, b);
+      if (out) *out = *out * T(1 + 1e-6);
+      return out;
+    };
+  });
+}
+
 constexpr Saboteur kAll[] = {
     {"moments_nan", "moments are NaN", {.moments = true}, &wrapped<PartNan<3>>},
     {"forces_nan", "forces are NaN", {.forces = true}, &wrapped<PartNan<0>>},
@@ -60,6 +70,7 @@ constexpr Saboteur kAll[] = {
     {"throws", "loads throw", {}, &wrapped<Throws>},
     {"loads_too_large", "loads and tangent are 1e-6 too large", {}, &wrapped<LoadsTooLarge>},
     {"strain_off", "each strain has a hundredth of the next one in it", {}, &strain_off},
+    {"energy_off", "the energy is 1e-6 too large", {}, &energy_off},
     {"transposed_frame", "loads are turned by P_a P_b^T", {}, &wrapped<TransposedFrame>},
     {"tangent_off", "one entry of the tangent is off by 1e-6 of its norm", {}, &wrapped<TangentOff>},
     {"half_rate", "the half-way frame turns at half the sum of the spins", {}, &wrapped<HalfRate>},

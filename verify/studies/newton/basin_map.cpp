@@ -174,7 +174,7 @@ StartMap starts(const Entry& entry, double moment, int resolution) {
 double LoadGrid::angle(int i) const { return std::numbers::pi / 2 * i / (angles - 1); }
 
 const std::vector<LoadGrid>& load_grids() {
-  static const int resolution = verify::by_effort(31, 7);
+  static const int resolution = reference::by_effort(31, 7);
   static const std::vector<LoadGrid> grids = {{"axes_13", {0, 2}, false, 1800, resolution, resolution},
                                               {"axes_12", {0, 1}, true, 3, resolution, resolution}};
   return grids;
@@ -189,7 +189,7 @@ const LoadMap& load_map(const Entry& entry, const LoadGrid& grid, NewtonTangent 
 
 const StartMap& start_map(const Entry& entry, double moment) {
   static verify::Once<StartMap, double> known;
-  return known(entry, moment, [&] { return starts(entry, moment, verify::by_effort(41, 9)); });
+  return known(entry, moment, [&] { return starts(entry, moment, reference::by_effort(41, 9)); });
 }
 
 }  // namespace halfway::reference

@@ -41,7 +41,15 @@ Finding loop_finding(const char* what, const char* joint, double measured, doubl
 std::vector<Finding> loops(const Loops& l) {
   const auto answer = program_subject(l.joint);
   const V none(0, 0, 0), ten(10, 10, 10), three(1, 10, 100), hundred(100, 100, 100);
-  return {loop_finding("loop_measured/one", l.joint, loop_work(answer, none, ten, false), l.one),
+  // The share of the path that a linear joint swallows does not depend on how stiff it is.
+  const double twice = loop_work(answer, hundred * 2, ten * 2, true),
+               once = loop_work(answer, hundred, ten, true);
+  return {program_finding("loop_measured/stiffer", l.joint)
+              .measured(std::abs(twice - once))
+              .in("relative")
+              .at_most(kDoubleRounding, kDoubleRoundingReason)
+              .by(Oracle::closed_form),
+          loop_finding("loop_measured/one", l.joint, loop_work(answer, none, ten, false), l.one),
           loop_finding("loop_measured/three", l.joint, loop_work(answer, none, three, false), l.three),
           loop_finding("loop_measured/six", l.joint, loop_work(answer, hundred, ten, true), l.six)};
 }
@@ -145,14 +153,15 @@ void program_loops(Checks& checks) {
 
 void program_free_spin(Checks& checks) {
   for (const Spin& s : kSpins) {
-    checks.push_back({fmt::format("programs/free_spin/{}/{}", "xyz"[s.shaft], s.joint), "",
+    checks.push_back({fmt::format("programs/{}/free_spin_{}", s.joint, "xyz"[s.shaft]), "",
                       [&s] { return std::vector{spin(s)}; }});
   }
 }
 
 void program_second_order(Checks& checks) {
   for (const Order& o : kOrders)
-    checks.push_back({fmt::format("programs/second_order/{}", o.joint), "", [&o] { return order(o); }});
+    checks.push_back(
+        {fmt::format("programs/{}/second_order_moments", o.joint), "", [&o] { return order(o); }});
 }
 
 void program_stiffness(Checks& checks) {
