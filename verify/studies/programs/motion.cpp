@@ -34,13 +34,13 @@ void move(Motion& m, double dt) {
 
 /// Leapfrog: reversible, so that what grows is the joint's doing.
 void run(Motion& m, const Answerer& joint, double seconds) {
-  constexpr double kStep = 1e-3;
-  for (double t = 0; t < seconds && m.at.b.x.allFinite(); t += kStep) {
-    move(m, kStep / 2);
+  constexpr double kTimeStep = 1e-3;
+  for (double t = 0; t < seconds && m.at.b.x.allFinite(); t += kTimeStep) {
+    move(m, kTimeStep / 2);
     const auto q = joint(m.at);
-    m.v_a -= kStep * part(q, 0), m.w_a -= kStep * part(q, 1), m.v_b -= kStep * part(q, 2),
-        m.w_b -= kStep * part(q, 3);
-    move(m, kStep / 2);
+    m.v_a -= kTimeStep * part(q, 0), m.w_a -= kTimeStep * part(q, 1), m.v_b -= kTimeStep * part(q, 2),
+        m.w_b -= kTimeStep * part(q, 3);
+    move(m, kTimeStep / 2);
   }
 }
 
