@@ -152,9 +152,22 @@ constexpr Kept kKept[] = {
     {"node_order", "the order of the bodies matters", "the order of the bodies does not matter"},
 };
 
-Law of_catalog(const std::string& name, const Findings& findings) {
+/// Was the program asked with one stiffness for turns, because it takes no more? Then defects of three are
+/// not its own.
+bool takes_one_stiffness(const std::string& answers) {
+  return std::ranges::all_of(reference::read_measured(answers).poses, [](const auto& pose) {
+    const Mat3<double>& K = pose.ask.K_m;
+    return K(0, 0) == K(1, 1) && K(1, 1) == K(2, 2);
+  });
+}
+
+Law of_catalog(const std::string& name, const std::string& answers, const Findings& findings) {
   const auto* entry = reference::find_formulation(name);
   Law law{name, entry ? std::string(entry->stands_for) : "", "a formulation of the catalog"};
+  if (takes_one_stiffness(answers)) {
+    law.facts.push_back("takes one stiffness for turns");
+    return law;
+  }
   for (const auto& [property, defect, words] : kKept) {
     const Finding* f = find(findings, fmt::format("{}/linear_angular/{}", name, property));
     if (f && f->verdict == Verdict::known_failure) law.add_defect(*f, defect);
@@ -220,7 +233,7 @@ void add_cases(std::vector<Law>& laws, const Findings& findings) {
     const std::string answers = answers_of(f.name);
     if (answers.empty() || find(findings, f.name) == nullptr) continue;
     auto law = std::ranges::find(laws, f.formulation, &Law::name);
-    if (law == laws.end()) law = laws.insert(laws.end(), of_catalog(f.formulation, findings));
+    if (law == laws.end()) law = laws.insert(laws.end(), of_catalog(f.formulation, answers, findings));
     law->cases.push_back(case_of(answers, f));
   }
 }

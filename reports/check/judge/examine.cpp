@@ -122,9 +122,10 @@ Result poles(const Answerer& joint, double k_f) {
       where = fmt::format("none at {} degrees about {}", degrees, "xyz"[axis]);
     }
   }
+  // Six of six: it does not answer such questions at all.
   return judged(
       {"level4/poles", "there is an answer at 90 and at 180 degrees about each axis", "loads finite"},
-      missing, 0, where);
+      missing == 6 ? NAN : missing, 0, where);
 }
 
 }  // namespace
