@@ -1,7 +1,7 @@
 #!/bin/sh
-# The command itself: files in and out, refusals, exit codes.  commands.sh HALFWAY_CHECK XSD_FOLDER SCHEMA
+# The command itself: files in and out, refusals, exit codes.  commands.sh HALFWAY_CHECK XSD_FOLDER SCHEMA HALFWAY
 set -eu
-check=$1 xsd=$2 schema=$3
+check=$1 xsd=$2 schema=$3 halfway=$4
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -21,6 +21,11 @@ grep -q 'CTestMeasurement type="numeric/double" name="failed">0<' said || fail "
 grep -q '"message": "conformal, ' b.json || fail "badge"
 grep -q '^| ok | ' m.md || fail "markdown"
 if command -v xmllint >/dev/null; then xmllint --noout --schema "$xsd/junit-10.xsd" j.xml 2>/dev/null || fail "junit.xml"; fi
+
+# Our own eval says hello, and its tangent is looked at.
+"$check" check --command "'$halfway' eval" --fields '{"formulation": "helicoidal"}' >said 2>told || fail "eval fails: $(cat said)"
+grep -q '^your joint is helicoidal (' said || fail "eval is not told"
+grep -q '^  ok  *level3/tangent' said || fail "no tangent: $(cat said)"
 
 # Defects: exit code 1, a file each, a page for the maintainer; expected ones are none.
 refused 1 'FAIL' --command "'$check' subject bullet_6dof" --out failures
