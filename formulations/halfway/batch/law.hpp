@@ -5,6 +5,8 @@
 #include "halfway/batch/pack.hpp"
 #include "halfway/kernels/laws.hpp"
 
+#include <initializer_list>
+
 namespace halfway::batch::detail {
 
 /// The law's numbers of one pack of joints, read where they are used.
