@@ -24,6 +24,9 @@ std::span<const ProgramJoint> program_joints();
 /// nullptr where there is none of that name.
 const ProgramJoint* find_program_joint(std::string_view name);
 
+/// The linear/angular joint of these ends and springs, as formulations take it.
+JointSpec joint_spec(const programs::Situation<double>& situation);
+
 /// A formulation as a program that is asked, in double. @param entry  must outlive the result.
 Answerer answerer(const Entry& entry, double xi);
 

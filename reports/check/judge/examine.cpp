@@ -54,13 +54,16 @@ Result judged(Result r, double value, double limit, const std::string& where = "
   return r;
 }
 
+/// Of the questions that were answered; how many were not is said.
 Result of_single(const Single& s, const Answerer& joint, const std::vector<Ask>& asks, double limit) {
   std::vector<Ask> answered;
   for (const Ask& ask : asks)
-    if (s.defect(joint, {ask}).worst.value() == s.defect(joint, {ask}).worst.value()) answered.push_back(ask);
-  const reference::Defect defect = s.defect(joint, answered.empty() ? asks : answered);
+    if (!std::isnan(s.defect(joint, {ask}).worst.value())) answered.push_back(ask);
+  const reference::Defect defect = s.defect(joint, answered);
   Result r = judged({s.id, s.title, s.law}, defect.worst.value(), limit, defect.worst.where());
   if (r.status == Status::fail) r.at = defect.at;
+  if (r.status != Status::left_out && answered.size() < asks.size())
+    r.where += fmt::format(", of {} poses {} answered", asks.size(), answered.size());
   return r;
 }
 

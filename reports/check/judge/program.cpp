@@ -31,7 +31,7 @@ Hello hello_of(const json& line) {
   out.springs = law == "isotropic"  ? Hello::Springs::isotropic
                 : law == "diagonal" ? Hello::Springs::diagonal
                                     : Hello::Springs::full;
-  out.digits = std::clamp(line.value("digits", out.digits), 1., 15.5);
+  out.digits = std::clamp(line.value("digits", out.digits), 4., 15.5);  // fewer would let everything pass
   out.frames = line.value("frames", true);
   if (const auto answers = line.find("answers"); answers != line.end() && answers->is_array())
     out.tangent = std::ranges::find(*answers, json("tangent")) != answers->end();

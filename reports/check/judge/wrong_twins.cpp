@@ -1,5 +1,6 @@
 #include "reports/check/judge/wrong_twins.hpp"
 
+#include "reference/programs/joints.hpp"
 #include "verify/oracle/mutants/forms.hpp"
 
 namespace halfway::check {
@@ -14,14 +15,7 @@ template <class Parts>
 reference::Candidate twin(const char* name) {
   return {name, [](const Ask& ask) -> TwelveLoads {
             const auto s = reference::situation<double>(ask);
-            reference::JointSpec spec;
-            spec.kind = Kind::linear_angular;
-            spec.a = s.end_a, spec.b = s.end_b;
-            Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
-            K.topLeftCorner<3, 3>() = s.K_f;
-            K.bottomRightCorner<3, 3>() = s.K_m;
-            spec.law = reference::LinearSpec{K, false};
-            return wrong::Projected<Parts>::template loads<double>(spec, s.a, s.b);
+            return wrong::Projected<Parts>::template loads<double>(reference::joint_spec(s), s.a, s.b);
           }};
 }
 
