@@ -1,8 +1,9 @@
 // Runs the checks under Boost.Test, one test case per check, and prints what each measured.
 //   halfway_verify                  all checks
 //   halfway_verify --check NAME     one check (what ctest calls)
-//   halfway_verify --list           "label name" of each check
-//   halfway_verify --sabotage NAME[:FORMULATION] --check NAME
+//   halfway_verify --room NAME      the checks of one room, in one process: a study's numbers are computed
+//   once halfway_verify --list           "room name" of each check halfway_verify --sabotage
+//   NAME[:FORMULATION] --check NAME
 //                                   one check of a wrong twin, which it should catch (exit code 1)
 #define BOOST_TEST_NO_MAIN
 #define BOOST_TEST_DYN_LINK
@@ -90,17 +91,23 @@ void add(const Check& check) {
   suite->add(make_test_case([check] { run(check); }, rest, __FILE__, __LINE__));
 }
 
-std::string only;  // set by --check
+/// Which checks are run: all, or those whose member (name or label) has this value.
+struct Choice {
+  std::string Check::*member = nullptr;
+  std::string value{};
+} chosen;  // set by --check and --room
 
 bool init() {
   boost::unit_test::framework::master_test_suite().p_name.value = "verify";
-  bool found = only.empty();
+  bool found = false;
   for (const Check& check : halfway::verify::all_checks()) {
-    if (!only.empty() && check.name != only) continue;
+    if (chosen.member != nullptr && check.*chosen.member != chosen.value) continue;
     add(check);
     found = true;
   }
-  if (!found) std::fprintf(stderr, "halfway_verify: no check is called '%s'; see --list\n", only.c_str());
+  if (!found)
+    std::fprintf(stderr, "halfway_verify: no check or room is called '%s'; see --list\n",
+                 chosen.value.c_str());
   return found;
 }
 
@@ -136,8 +143,9 @@ int run_main(int argc, char** argv) {
     for (const Check& check : halfway::verify::all_checks()) fmt::print("{} {}\n", check.label, check.name);
     return 0;
   }
-  if (argc > 2 && std::strcmp(argv[1], "--check") == 0) {
-    only = argv[2];
+  const bool room = argc > 2 && std::strcmp(argv[1], "--room") == 0;
+  if (room || (argc > 2 && std::strcmp(argv[1], "--check") == 0)) {
+    chosen = {room ? &Check::label : &Check::name, argv[2]};
     argv[2] = argv[0];
     argc -= 2;
     argv += 2;
