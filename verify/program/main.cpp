@@ -1,9 +1,11 @@
 // Runs the checks under Boost.Test, one test case per check, and prints what each measured.
 //   halfway_verify                  all checks
-//   halfway_verify --check NAME     one check (what ctest calls)
-//   halfway_verify --room NAME      the checks of one room, in one process: a study's numbers are computed
-//   once halfway_verify --list           "room name" of each check halfway_verify --sabotage
-//   NAME[:FORMULATION] --check NAME
+//   halfway_verify --check NAME     one check
+//   halfway_verify --room NAME      the checks of a room, where a study's numbers are computed once, in
+//   processes apart halfway_verify --room NAME --keep FILE   the same, records into a file; whatever they
+//   say, exit code 0 halfway_verify --kept FILE --check NAME  one check's record (ctest: a room is run once,
+//   its checks read from it) halfway_verify --list           "room name" of each check halfway_verify
+//   --sabotage NAME[:FORMULATION] --check NAME
 //                                   one check of a wrong twin, which it should catch (exit code 1)
 #define BOOST_TEST_NO_MAIN
 #define BOOST_TEST_DYN_LINK
@@ -11,11 +13,11 @@
 
 #include "verify/check.hpp"
 #include "verify/oracle/saboteurs/trial.hpp"
+#include "verify/record.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -24,53 +26,14 @@
 namespace {
 
 using halfway::verify::Check;
-using halfway::verify::Comparison;
-using halfway::verify::Finding;
-using halfway::verify::Verdict;
-
-std::string limits(const Finding& f) {
-  switch (f.comparison) {
-    case Comparison::at_most:
-      return fmt::format("limit {:.3g}", f.high);
-    case Comparison::at_least:
-      return fmt::format("at least {:.3g}", f.low);
-    case Comparison::within:
-      return fmt::format("band {:.3g} ... {:.3g}", f.low, f.high);
-    case Comparison::equal:
-      return fmt::format("expected {:.17g} +- {:.3g}", f.expected, f.high);
-    default:
-      return "reported";
-  }
-}
-
-std::string line(const Finding& f) {
-  const std::string why = missing(f);
-  return fmt::format("{}: {} {:.17g} {} ({}; {}){} {}{}", to_string(f.verdict), f.name, f.value, f.unit,
-                     limits(f), to_string(f.oracle), why.empty() ? "" : " " + why + ";",
-                     f.parameter.empty() ? "" : "worst at " + f.parameter,
-                     f.reason.empty() ? "" : "; " + f.reason);
-}
-
-/// A request is one line of JSON, a scene is a file.
-void print_replay(const std::string& replay) {
-  if (replay.starts_with('{'))
-    fmt::print("replay: echo '{}' | ./halfway eval\n", replay);
-  else
-    fmt::print("replay: ./halfway run replay.toml, with the file\n{}\n", replay);
-}
+using halfway::verify::Checks;
+using halfway::verify::Record;
+using halfway::verify::record_of;
 
 void run(const Check& check) {
-  const auto findings = check.run();
-  BOOST_TEST(!findings.empty(), check.name << " measured nothing");
-  for (const Finding& f : findings) {
-    std::puts(line(f).c_str());
-    if (f.verdict == Verdict::fail && !f.replay.empty()) print_replay(f.replay);
-    if (std::isfinite(f.value)) {
-      fmt::print("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{:.17g}</CTestMeasurement>\n", f.name,
-                 f.value);
-    }
-    BOOST_TEST((f.verdict != Verdict::fail), line(f));
-  }
+  const Record record = record_of(check);
+  std::fputs(record.text.c_str(), stdout);
+  BOOST_TEST(record.passed, record.text);
 }
 
 /// Boost.Test reads '/' in a name as a path of suites: each part but the last becomes a suite.
@@ -91,23 +54,17 @@ void add(const Check& check) {
   suite->add(make_test_case([check] { run(check); }, rest, __FILE__, __LINE__));
 }
 
-/// Which checks are run: all, or those whose member (name or label) has this value.
-struct Choice {
-  std::string Check::*member = nullptr;
-  std::string value{};
-} chosen;  // set by --check and --room
+std::string only;  // set by --check
 
 bool init() {
   boost::unit_test::framework::master_test_suite().p_name.value = "verify";
-  bool found = false;
+  bool found = only.empty();
   for (const Check& check : halfway::verify::all_checks()) {
-    if (chosen.member != nullptr && check.*chosen.member != chosen.value) continue;
+    if (!only.empty() && check.name != only) continue;
     add(check);
     found = true;
   }
-  if (!found)
-    std::fprintf(stderr, "halfway_verify: no check or room is called '%s'; see --list\n",
-                 chosen.value.c_str());
+  if (!found) std::fprintf(stderr, "halfway_verify: no check is called '%s'; see --list\n", only.c_str());
   return found;
 }
 
@@ -135,17 +92,51 @@ int run_sabotaged(const std::string& what, const std::string& name) {
   return trial.caught() ? 1 : trial.outcome == Outcome::passed ? 0 : 2;
 }
 
+/// A guard against what hangs: the longest check takes half a minute, a watched one on a busy machine ten
+/// times that.
+constexpr int kSilence = 300;
+
+/// All of a room, or none: that is refused.
+Checks checks_of(const std::string& room) {
+  Checks checks = halfway::verify::all_checks();
+  std::erase_if(checks, [&](const Check& check) { return check.label != room; });
+  if (checks.empty()) throw std::runtime_error("no room is called '" + room + "'; see --list");
+  return checks;
+}
+
+int show_room(const std::string& room) {
+  std::size_t all = 0, failed = 0;
+  halfway::verify::run_apart_each(checks_of(room), kSilence, [&](const Record& record) {
+    ++all;
+    failed += !record.passed;
+    std::fputs(record.text.c_str(), stdout);
+  });
+  fmt::print("{}: {} of {} checks failed\n", room, failed, all);
+  return failed > 0;
+}
+
+int show_kept(const char* file, const char* check) {
+  const Record record = halfway::verify::kept(file, check);
+  std::fputs(record.text.c_str(), stdout);
+  return record.passed ? 0 : 1;
+}
+
 int run_main(int argc, char** argv) {
+  const auto is = [&](int i, const char* word) { return argc > i && std::strcmp(argv[i], word) == 0; };
+  if (argc == 5 && is(1, "--kept") && is(3, "--check")) return show_kept(argv[2], argv[4]);
   halfway::reference::complete_catalog();
-  if (argc == 5 && std::strcmp(argv[1], "--sabotage") == 0 && std::strcmp(argv[3], "--check") == 0)
-    return run_sabotaged(argv[2], argv[4]);
-  if (argc > 1 && std::strcmp(argv[1], "--list") == 0) {
+  if (argc == 3 && is(1, "--room")) return show_room(argv[2]);
+  if (argc == 5 && is(1, "--room") && is(3, "--keep")) {
+    halfway::verify::keep(checks_of(argv[2]), kSilence, argv[4]);
+    return 0;
+  }
+  if (argc == 5 && is(1, "--sabotage") && is(3, "--check")) return run_sabotaged(argv[2], argv[4]);
+  if (is(1, "--list")) {
     for (const Check& check : halfway::verify::all_checks()) fmt::print("{} {}\n", check.label, check.name);
     return 0;
   }
-  const bool room = argc > 2 && std::strcmp(argv[1], "--room") == 0;
-  if (room || (argc > 2 && std::strcmp(argv[1], "--check") == 0)) {
-    chosen = {room ? &Check::label : &Check::name, argv[2]};
+  if (argc > 2 && is(1, "--check")) {
+    only = argv[2];
     argv[2] = argv[0];
     argc -= 2;
     argv += 2;
