@@ -19,19 +19,28 @@ std::string time_left(Clock::time_point begin, int done, int to_go) {
   return fmt::format("about {:.0f} s left", each * to_go);
 }
 
-void include(Table& table, const Reading& reading, bool head) {
+constexpr double kApart = 0.1;  // layouts that are not apart differ by up to 5 %, a slow one by 20 to 30
+
+/// Which layout each sample of a figure is of.
+struct Layouts {
+  std::vector<int> base, head;
+};
+
+void include(Table& table, std::map<std::string, Layouts>& layouts, const Reading& reading, bool head,
+             int layout) {
   for (const auto& [name, f] : reading) {
     Samples& s = table[name];
     (head ? s.head : s.base).push_back(f.ns);
+    (head ? layouts[name].head : layouts[name].base).push_back(layout);
     (head ? s.head_error : s.base_error) = f.error;
     if (!f.wrong.empty()) (head ? s.head_wrong : s.base_wrong) = f.wrong;
   }
 }
 
 /// Every layout of one side meets every one of the other.
-const std::filesystem::path& program(const Side& side, int pair, bool head) {
+int layout_of(const Side& side, int pair, bool head) {
   const int n = int(side.programs.size());
-  return side.programs[std::size_t((pair + (head ? pair / n : 0)) % n)];
+  return (pair + (head ? pair / n : 0)) % n;
 }
 
 }  // namespace
@@ -57,9 +66,23 @@ bool is_faster(const Compared& c, const TimeRules& rules, double allowed) {
   return c.faster < rules.chance && 1 / c.ratio > 1 + allowed;
 }
 
+std::vector<double> of_usual_layouts(const std::vector<double>& samples, const std::vector<int>& layouts) {
+  std::map<int, std::vector<double>> by_layout;
+  for (std::size_t i = 0; i < samples.size(); ++i) by_layout[layouts[i]].push_back(samples[i]);
+  std::map<int, double> medians;
+  std::vector<double> all;
+  for (const auto& [layout, mine] : by_layout) all.push_back(medians[layout] = statistics::median(mine));
+  const double most = (1 + kApart) * statistics::median(all);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!(medians[layouts[i]] > most)) out.push_back(samples[i]);  // a time that is missing, NaN, stays
+  return out;
+}
+
 Table measure_round(Journal& journal, const Side& base, const Side& head, const BenchOptions& options,
                     int run, int round, int pairs, const std::filesystem::path& folder, const Told& told) {
   Table table;
+  std::map<std::string, Layouts> layouts;
   const auto begin = Clock::now();
   int fresh = 0;
   for (int i = 0; i < 2 * pairs; ++i) {
@@ -67,17 +90,23 @@ Table measure_round(Journal& journal, const Side& base, const Side& head, const 
     const int pair = i / 2;
     const bool is_head = (i + pair + run) % 2 == 1;
     const Turn turn{run, round, pair, is_head};
+    const Side& side = is_head ? head : base;
+    const int layout = layout_of(side, pair, is_head);
     const Reading* reading = journal.find(turn);
     if (reading == nullptr) {
       told(i, 2 * pairs, time_left(begin, fresh, 2 * pairs - i));
       BenchOptions mine = options;
       if (!is_head && options.slower > 0) mine.slower = 0;  // by the same road
-      reading = &journal.add(turn, measure(program(is_head ? head : base, pair, is_head), mine, folder));
+      reading = &journal.add(turn, measure(side.programs[std::size_t(layout)], mine, folder));
       ++fresh;
     }
-    include(table, *reading, is_head);
+    include(table, layouts, *reading, is_head, layout);
   }
   told(2 * pairs, 2 * pairs, "");
+  for (auto& [name, s] : table) {
+    s.base = of_usual_layouts(s.base, layouts[name].base);
+    s.head = of_usual_layouts(s.head, layouts[name].head);
+  }
   return table;
 }
 

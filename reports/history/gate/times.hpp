@@ -37,7 +37,14 @@ Compared compared(const std::vector<double>& base, const std::vector<double>& he
 bool is_slower(const Compared& c, const TimeRules& rules, double allowed);
 bool is_faster(const Compared& c, const TimeRules& rules, double allowed);
 
-/// Both sides' numbers of one figure, in the order of the pairs.
+/// The samples without those of layouts that are by themselves slower: whose median is more than a tenth
+/// above the middle one of the layouts' medians. A change of code moves all layouts of its side; one layout
+/// in twelve took a kernel 30 % longer (self.json), and ranks of both sides that overlap for that say nothing
+/// of the code.
+/// @param layouts  which one each sample is of
+std::vector<double> of_usual_layouts(const std::vector<double>& samples, const std::vector<int>& layouts);
+
+/// Both sides' numbers of one figure, of its usual layouts, in the order of the pairs.
 struct Samples {
   std::vector<double> base, head;
   double base_error = std::numeric_limits<double>::quiet_NaN();  ///< of the last pair
