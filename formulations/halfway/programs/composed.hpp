@@ -175,17 +175,34 @@ struct QuarterSineMeasure {
   }
 };
 
-/// @tparam Force  the frame whose axes the translational springs have
-template <class Force, class Measure, class Map, class Arms>
-struct Composed {
+/// A law whose loads are those of strains and of their stresses, as in the family: so it takes any spring.
+/// It has
+///   strain(m)                     what the springs see, translation and rotation
+///   of_stress(m, force, moment)   loads at the joint points, axes of P_a
+template <class Law>
+struct BySprings {
   template <class T>
   static ProgramLoads<T> at_points(const RelativeMotion<T>& m, const Mat3<T>& K_f, const Mat3<T>& K_m) {
-    const Mat3<T> Q = Force::rotation(m);
-    const Vec3<T> seen = Q.transpose() * m.p;
-    const Vec3<T> fbar = K_f * seen;
-    const Vec3<T> f = Q * fbar;
-    const Vec3<T> stress = K_m * Vec3<T>(Measure::strain(m));
-    return Arms::template loads<T>(m.p, f, Map::moment(m, stress));
+    const Strain<T, Kind::linear_angular> e = Law::strain(m);
+    const Vec3<T> translation = e.template head<3>(), rotation = e.template tail<3>();
+    return Law::template of_stress<T>(m, K_f * translation, K_m * rotation);
+  }
+};
+
+/// @tparam Force  the frame whose axes the translational springs have
+template <class Force, class Measure, class Map, class Arms>
+struct Composed : BySprings<Composed<Force, Measure, Map, Arms>> {
+  template <class T>
+  static Strain<T, Kind::linear_angular> strain(const RelativeMotion<T>& m) {
+    Strain<T, Kind::linear_angular> e;
+    e << Force::rotation(m).transpose() * m.p, Measure::strain(m);
+    return e;
+  }
+
+  template <class T>
+  static ProgramLoads<T> of_stress(const RelativeMotion<T>& m, const Vec3<T>& force, const Vec3<T>& moment) {
+    const Vec3<T> f = Force::rotation(m) * force;
+    return Arms::template loads<T>(m.p, f, Map::moment(m, moment));
   }
 };
 
