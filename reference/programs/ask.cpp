@@ -52,6 +52,8 @@ nlohmann::ordered_json request(const Ask& ask) {
   Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K = Eigen::Matrix<double, 6, 6>::Zero();
   K.topLeftCorner<3, 3>() = ask.K_f;
   K.bottomRightCorner<3, 3>() = ask.K_m;
+  K.topRightCorner<3, 3>() = ask.K_fm;
+  K.bottomLeftCorner<3, 3>() = ask.K_fm.transpose();
   auto rows = nlohmann::json::array();
   for (int i = 0; i < 6; ++i) rows.push_back(list(Eigen::Matrix<double, 6, 1>(K.row(i).transpose())));
   nlohmann::ordered_json out{{"kind", "linear_angular"},
@@ -62,6 +64,10 @@ nlohmann::ordered_json request(const Ask& ask) {
   if (!is_usual) {
     out["mass"] = {ask.a.mass, ask.b.mass};
     out["inertia"] = {ask.a.inertia, ask.b.inertia};
+  }
+  for (const RoadPose& pose : ask.road) {
+    out["path"].push_back({{"a", {{"x", list(pose.x_a)}, {"q", list(pose.q_a)}}},
+                           {"b", {{"x", list(pose.x_b)}, {"q", list(pose.q_b)}}}});
   }
   return out;
 }
@@ -75,11 +81,21 @@ Eigen::Matrix<double, n, 1> numbers(const nlohmann::json& list) {
   return out;
 }
 
-/// A 3x3 block of K, from its row and column on.
-Mat3<double> block(const nlohmann::json& K, std::size_t first) {
+/// A 3x3 block of K, from a row and a column on.
+Mat3<double> block(const nlohmann::json& K, std::size_t row, std::size_t column) {
   Mat3<double> out;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) out(long(i), long(j)) = K.at(first + i).at(first + j).get<double>();
+    for (std::size_t j = 0; j < 3; ++j) out(long(i), long(j)) = K.at(row + i).at(column + j).get<double>();
+  return out;
+}
+
+std::vector<RoadPose> read_road(const nlohmann::json& path) {
+  std::vector<RoadPose> out;
+  for (const auto& pose : path) {
+    const auto &a = pose.at("a"), &b = pose.at("b");
+    out.push_back(
+        {numbers<3>(a.at("x")), numbers<3>(b.at("x")), numbers<4>(a.at("q")), numbers<4>(b.at("q"))});
+  }
   return out;
 }
 
@@ -100,8 +116,9 @@ Ask read_request(const nlohmann::json& request) {
   ask.b = read_body(request.at("b"));
   const auto& K = request.at("law").at("K");
   const bool has_forces = K.size() == 6;
-  if (has_forces) ask.K_f = block(K, 0);
-  ask.K_m = block(K, has_forces ? 3 : 0);
+  if (has_forces) ask.K_f = block(K, 0, 0), ask.K_fm = block(K, 0, 3);
+  ask.K_m = has_forces ? block(K, 3, 3) : block(K, 0, 0);
+  if (request.contains("path")) ask.road = read_road(request["path"]);
   if (request.contains("mass")) ask.a.mass = request["mass"].at(0), ask.b.mass = request["mass"].at(1);
   if (request.contains("inertia"))
     ask.a.inertia = request["inertia"].at(0), ask.b.inertia = request["inertia"].at(1);

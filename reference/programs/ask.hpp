@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace halfway::reference {
 
@@ -20,11 +21,19 @@ struct AskedBody {
   double mass = 1, inertia = 1;   ///< kg, kg m2 of a ball
 };
 
+/// Where both bodies were before.
+struct RoadPose {
+  Vec3<double> x_a, x_b;
+  Eigen::Vector4d q_a, q_b;
+};
+
 /// Two poses and the springs along the joint axes, N/m and N m/rad.
 struct Ask {
   AskedBody a, b;
   Mat3<double> K_f = Mat3<double>::Zero(), K_m = Mat3<double>::Zero();
+  Mat3<double> K_fm = Mat3<double>::Zero();  ///< forces by turns, and transposed moments by moves: N/rad
   bool is_bond = false;  ///< the joint points rest apart along z (halfway/programs/lines.hpp), else together
+  std::vector<RoadPose> road{};  ///< of a joint with a memory: the poses before, unloaded at the first
 };
 
 /// Loads f_a, m_a, f_b, m_b about the bodies' origins, global axes.

@@ -8,15 +8,17 @@
 namespace halfway::reference {
 namespace {
 
-AskedBody heard_body(AskedBody body, Hearing hearing) {
-  if (hearing == Hearing::transposed) {
-    body.q = conjugate(body.q);
-    body.h = conjugate(body.h);
-  } else if (hearing == Hearing::scalar_last) {
-    body.q = Eigen::Vector4d(body.q[3], body.q[0], body.q[1], body.q[2]);
-    body.h = Eigen::Vector4d(body.h[3], body.h[0], body.h[1], body.h[2]);
-  }
-  return body;
+Eigen::Vector4d heard_quaternion(const Eigen::Vector4d& q, Hearing hearing) {
+  if (hearing == Hearing::transposed) return conjugate(q);
+  if (hearing == Hearing::scalar_last) return {q[3], q[0], q[1], q[2]};
+  return q;
+}
+
+/// Every quaternion of the question, and of the road to it.
+template <class Change>
+void change_quaternions(Ask& ask, const Change& change) {
+  for (AskedBody* body : {&ask.a, &ask.b}) body->q = change(body->q), body->h = change(body->h);
+  for (RoadPose& pose : ask.road) pose.q_a = change(pose.q_a), pose.q_b = change(pose.q_b);
 }
 
 /// From the point that moments are about to the node.
@@ -35,10 +37,7 @@ Mat3<double> axes_of(Axes axes, const AskedBody& body, const Ask& ask) {
 Ask as_heard(const Ask& meant, Hearing hearing) {
   if (hearing != Hearing::scalar_last) return heard(meant, hearing);  // the others are their own inverses
   Ask out = meant;
-  for (AskedBody* body : {&out.a, &out.b}) {
-    body->q = Eigen::Vector4d(body->q[1], body->q[2], body->q[3], body->q[0]);
-    body->h = Eigen::Vector4d(body->h[1], body->h[2], body->h[3], body->h[0]);
-  }
+  change_quaternions(out, [](const Eigen::Vector4d& q) { return Eigen::Vector4d(q[1], q[2], q[3], q[0]); });
   return out;
 }
 
@@ -122,10 +121,12 @@ std::vector<Convention> conventions() {
 
 Ask heard(const Ask& ask, Hearing hearing) {
   Ask out = ask;
-  out.a = heard_body(ask.a, hearing);
-  out.b = heard_body(ask.b, hearing);
-  if (hearing == Hearing::rotation_first) std::swap(out.K_f, out.K_m);
-  if (hearing == Hearing::bodies_exchanged) std::swap(out.a, out.b);
+  change_quaternions(out, [&](const Eigen::Vector4d& q) { return heard_quaternion(q, hearing); });
+  if (hearing == Hearing::rotation_first) std::swap(out.K_f, out.K_m), out.K_fm.transposeInPlace();
+  if (hearing == Hearing::bodies_exchanged) {
+    std::swap(out.a, out.b);
+    for (RoadPose& pose : out.road) std::swap(pose.x_a, pose.x_b), std::swap(pose.q_a, pose.q_b);
+  }
   return out;
 }
 

@@ -72,7 +72,9 @@ struct Near {
 std::vector<Candidate> known_joints() {
   std::vector<Candidate> out;
   for (const Entry& entry : formulations())
-    if (!entry.needs_xi) out.push_back({std::string(entry.name), answerer(entry, entry.probe_xi)});
+    if (!entry.needs_xi)
+      out.push_back(
+          {std::string(entry.name), answerer(entry, entry.probe_xi), false, !entry.block_diagonal_law_only});
   for (const ProgramJoint& joint : program_joints())
     out.push_back({std::string(joint.name), joint.in_double, joint.facts.isotropic_moments});
   return out;

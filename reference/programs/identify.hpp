@@ -13,6 +13,7 @@ struct Candidate {
   std::string name;
   Answerer answer;
   bool is_isotropic = false;  ///< it takes one stiffness
+  bool couples = false;       ///< it takes springs that couple moves and turns
 };
 
 /// The catalog's formulations (those with a free xi at none) and the joints of programs.

@@ -26,6 +26,11 @@ Answerer answerer(const Entry& entry, double xi) {
     const programs::Situation<double> s = situation<double>(ask);
     JointSpec spec = joint_spec(s);
     spec.xi = xi;
+    if (!ask.K_fm.isZero(0)) {
+      auto& K = std::get<LinearSpec>(spec.law).matrix;
+      K.topRightCorner<3, 3>() = ask.K_fm;
+      K.bottomLeftCorner<3, 3>() = ask.K_fm.transpose();
+    }
     return node_loads<double>(entry, spec, s.a, s.b, false).q;
   };
 }

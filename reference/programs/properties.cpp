@@ -158,6 +158,23 @@ Defect objectivity(const Answerer& joint, const std::vector<Ask>& asks) {
   });
 }
 
+Defect ends(const Answerer& joint, const std::vector<Ask>& asks) {
+  return worst_of(asks, [&](const Ask& ask) {
+    Ask ended = ask;
+    Vec3<double> arm[2];
+    for (int node = 0; node < 2; ++node) {
+      AskedBody& body = node == 0 ? ended.a : ended.b;
+      arm[node] = matrix_of(body.q) * body.o;
+      body.x += arm[node], body.q = times(body.q, body.h);
+      body.o.setZero(), body.h = Eigen::Vector4d(1, 0, 0, 0);
+    }
+    TwelveLoads back = joint(ended);
+    for (int node = 0; node < 2; ++node)
+      back.segment<3>(6L * node + 3) += arm[node].cross(Vec3<double>(part(back, 2 * node)));
+    return apart(joint(ask), back);
+  });
+}
+
 Defect double_cover(const Answerer& joint, const std::vector<Ask>& asks) {
   return changed(joint, asks, [](Ask& ask) { ask.b.q = -ask.b.q; });
 }

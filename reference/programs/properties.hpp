@@ -38,6 +38,10 @@ Defect objectivity(const Answerer& joint, const std::vector<Ask>& asks);
 /// Change of the loads when the quaternions of b are the opposite ones: the same rotations.
 Defect double_cover(const Answerer& joint, const std::vector<Ask>& asks);
 
+/// Change of the loads when the bodies are taken to end at the joint: their poses those of the joint frames,
+/// no offset and no frame on them, the loads there carried back.
+Defect ends(const Answerer& joint, const std::vector<Ask>& asks);
+
 /// Change of the loads when the bodies have other masses and inertias.
 Defect mass_dependence(const Answerer& joint, const std::vector<Ask>& asks);
 

@@ -161,8 +161,9 @@ std::filesystem::path scenes_folder() {
   return folder && *folder ? folder : HALFWAY_SCENES_DIR;
 }
 
-std::vector<Scene> canonical_scenes() {
-  const auto folder = scenes_folder();
+std::vector<Scene> canonical_scenes() { return scenes_in(scenes_folder()); }
+
+std::vector<Scene> scenes_in(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::filesystem::path> files;
   for (auto it = std::filesystem::directory_iterator(folder, error); !error && it != end(it);

@@ -75,4 +75,7 @@ std::filesystem::path scenes_folder();
 /// The scenes of that folder, ordered by name. Throws SceneError, also when there is none.
 std::vector<Scene> canonical_scenes();
 
+/// Those of another folder, likewise.
+std::vector<Scene> scenes_in(const std::filesystem::path& folder);
+
 }  // namespace halfway::reference

@@ -1,6 +1,7 @@
 // halfway-check subject: a program that answers with a joint of ours, and with the mistakes of others.
 #include "reference/programs/convention.hpp"
 #include "reference/programs/joints.hpp"
+#include "reference/programs/path_joints.hpp"
 #include "reports/check/commands.hpp"
 #include "reports/check/judge/program.hpp"
 #include "reports/check/known_joint.hpp"
@@ -55,6 +56,41 @@ Answerer lying(const Answerer& honest) {
   };
 }
 
+/// The springs as somebody reads them who did not think of all.
+Answerer with_springs(const Answerer& honest, void (*misread)(Ask&)) {
+  return [honest, misread](Ask ask) {
+    misread(ask);
+    return honest(ask);
+  };
+}
+
+Mat3<double> diagonal_of(const Mat3<double>& K) { return K.diagonal().asDiagonal(); }
+
+/// None that is on is softer than a thousand millionth of the stiffest.
+void floor_springs(Ask& ask) {
+  const double least = 1e-9 * ask.K_m.maxCoeff();
+  for (double& k : ask.K_m.reshaped())
+    if (k > 0 && k < least) k = least;
+}
+
+/// None is stiffer than a million times the softest that is on.
+void cap_springs(Ask& ask) {
+  double softest = ask.K_m.maxCoeff();
+  for (const double k : ask.K_m.diagonal())
+    if (k > 0 && k < softest) softest = k;
+  ask.K_m = ask.K_m.cwiseMin(1e6 * softest).eval();
+}
+
+/// Of the springs and of the ends; nullptr for another mistake.
+void (*misreading_of(const std::string& mistake))(Ask&) {
+  if (mistake == "diagonal") return [](Ask& a) { a.K_f = diagonal_of(a.K_f), a.K_m = diagonal_of(a.K_m); };
+  if (mistake == "uncoupled") return [](Ask& a) { a.K_fm.setZero(); };
+  if (mistake == "capped") return cap_springs;
+  if (mistake == "floored") return floor_springs;
+  if (mistake == "frame_of_a") return [](Ask& a) { a.b.h = a.a.h; };
+  return nullptr;
+}
+
 void answer(const Answerer& joint, const json& line) {
   const TwelveLoads q = joint(reference::read_request(line));
   const json out{{"id", line.at("id")}, {"loads", std::vector<double>(q.data(), q.data() + 12)}};
@@ -66,6 +102,8 @@ void run(const SubjectOptions& o) {
   Answerer joint = known_joint(o.joint, o.xi);
   if (o.mistake == "lying")
     joint = lying(joint);
+  else if (const auto misread = misreading_of(o.mistake))
+    joint = with_springs(joint, misread);
   else if (const auto convention = convention_of(o.mistake))
     joint = reference::spoken(joint, *convention);
   else if (o.mistake != "hanging" && o.mistake != "crashing")
@@ -75,7 +113,9 @@ void run(const SubjectOptions& o) {
     const json line = json::parse(text, nullptr, false);
     if (!line.is_object()) continue;
     if (line.contains("hello")) {
-      std::puts(json{{"id", line["id"]}, {"name", o.joint + (o.mistake.empty() ? "" : ", " + o.mistake)}}
+      std::puts(json{{"id", line["id"]},
+                     {"name", o.joint + (o.mistake.empty() ? "" : ", " + o.mistake)},
+                     {"path", reference::find_path_joint(o.joint) != nullptr}}
                     .dump()
                     .c_str());
       std::fflush(stdout);
@@ -95,10 +135,10 @@ void add_subject(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("subject", "Answer questions of a check with a joint of ours, or with a mistake");
   command->add_option("JOINT", o->joint, "Its name")->required();
-  command->add_option("--mistake", o->mistake,
-                      "transposed, scalar_last, rotation_first, swapped, wrong_point, joint_points, degrees, "
-                      "on_bodies, lying, "
-                      "hanging, crashing");
+  command->add_option(
+      "--mistake", o->mistake,
+      "transposed, scalar_last, rotation_first, swapped, wrong_point, joint_points, degrees, "
+      "on_bodies, diagonal, uncoupled, capped, floored, frame_of_a, lying, hanging, crashing");
   command->add_option("--xi", o->xi, "Of a joint that has one");
   command->callback([o] { run(*o); });
 }

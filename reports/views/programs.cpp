@@ -1,8 +1,8 @@
 #include "reports/views/programs.hpp"
 
-#include "halfway/programs/path_laws.hpp"
 #include "reference/programs/joints.hpp"
 #include "reference/programs/measured.hpp"
+#include "reference/programs/path_joints.hpp"
 #include "reports/views/rounded.hpp"
 
 #include <fmt/format.h>
@@ -178,10 +178,9 @@ Law of_catalog(const std::string& name, const std::string& answers, const Findin
 
 // ----- all of them
 
-template <programs::Scoor scoor>
-Law of_path(const char* name, const char* stands_for, const Findings& findings) {
-  constexpr ProgramFacts facts = programs::LsdynaScoor<scoor>::facts;
-  Law law{name, stands_for, facts.source, facts.known, words_of(facts)};
+Law of_path(const reference::PathJoint& joint, const Findings& findings) {
+  Law law{std::string(joint.name), std::string(joint.stands_for), joint.facts.source, joint.facts.known,
+          words_of(joint.facts)};
   law.facts.push_back("its loads depend on the path");
   add_defects(law, findings);
   add_remainder(law, findings);
@@ -197,14 +196,7 @@ std::vector<Law> laws_of_programs(const Findings& findings) {
     add_defects(law, findings);
     out.push_back(std::move(law));
   }
-  using programs::Scoor;
-  out.push_back(of_path<Scoor::mean>("lsdyna_scoor_0", "LS-DYNA discrete beam, SCOOR = 0", findings));
-  out.push_back(of_path<Scoor::with_a>("lsdyna_scoor_-1", "LS-DYNA discrete beam, SCOOR = -1", findings));
-  out.push_back(of_path<Scoor::with_b>("lsdyna_scoor_1", "LS-DYNA discrete beam, SCOOR = 1", findings));
-  out.push_back(
-      of_path<Scoor::with_a_balanced>("lsdyna_scoor_-3", "LS-DYNA discrete beam, SCOOR = -3", findings));
-  out.push_back(
-      of_path<Scoor::with_b_balanced>("lsdyna_scoor_3", "LS-DYNA discrete beam, SCOOR = 3", findings));
+  for (const auto& joint : reference::path_joints()) out.push_back(of_path(joint, findings));
   return out;
 }
 

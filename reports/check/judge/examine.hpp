@@ -41,6 +41,16 @@ std::vector<Ask> family_asks(const Hello& hello);
 /// What a relative defect may be: a hundred roundings of the program's digits.
 double tolerance(const Hello& hello);
 
+/// The joint as a program of this hello is asked: one with a memory along a road.
+Answerer along_road(const Hello& hello, const Answerer& joint);
+
+/// Generic poses with ends on both bodies, as the program can be asked.
+std::vector<Ask> generic_poses(const Hello& hello, int count, double least, double largest,
+                               reference::Springs springs, bool bond = false);
+
+/// A result of this value, left out where it is NaN.
+Result held(Result result, double value, double limit, const std::string& where = "");
+
 /// Every property, asked through `joint`, which is in our convention. @param as_bond  the joint points rest
 /// apart
 std::vector<Result> examine(const Answerer& joint, const Hello& hello, bool as_bond);

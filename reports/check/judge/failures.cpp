@@ -113,7 +113,7 @@ std::vector<std::string> write_failures(const Verdict& v, const std::string& fol
     exchanges.push_back({ask, said});
     return said.value_or(TwelveLoads::Constant(std::numeric_limits<double>::quiet_NaN()));
   };
-  const Answerer joint = reference::translated(heard, v.identity.convention);
+  const Answerer joint = along_road(v.hello, reference::translated(heard, v.identity.convention));
   const auto line = [&](const Ask& ask) { return request_line("again", ask, !v.hello.linear_angular, ""); };
   std::vector<std::string> files;
   const auto write = [&](const Result& r, const char* ending, const std::string& text) {

@@ -32,7 +32,9 @@ Hello hello_of(const json& line) {
                 : law == "diagonal" ? Hello::Springs::diagonal
                                     : Hello::Springs::full;
   out.digits = std::clamp(line.value("digits", out.digits), 4., 15.5);  // fewer would let everything pass
-  out.frames = line.value("frames", true);
+  out.ends = line.value("ends", true);
+  out.frames = out.ends && line.value("frames", true);
+  out.path = line.value("path", false);
   if (const auto answers = line.find("answers"); answers != line.end() && answers->is_array())
     out.tangent = std::ranges::find(*answers, json("tangent")) != answers->end();
   return out;

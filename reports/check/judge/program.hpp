@@ -16,7 +16,9 @@ struct Hello {
   bool angular = true, linear_angular = true;  ///< kinds of questions that it takes
   enum class Springs { isotropic, diagonal, full } springs = Springs::full;
   double digits = 15.5;  ///< decimal, of its numbers
-  bool frames = true;    ///< joint points and frames on b other than the body's own
+  bool ends = true;      ///< joint points and frames on a body that are not its own
+  bool frames = true;    ///< on b, too
+  bool path = false;     ///< its joint has a memory: it goes a question's `path` first
   bool tangent = false;  ///< it gives the derivative of its loads by (dx_a, w_a, dx_b, w_b)
 };
 

@@ -1,5 +1,7 @@
 #include "reports/check/judge/run_check.hpp"
 
+#include "reference/programs/path_joints.hpp"
+#include "reports/check/judge/springs.hpp"
 #include "reports/check/judge/tangent.hpp"
 #include "reports/check/judge/wrong_twins.hpp"
 
@@ -12,6 +14,7 @@ namespace halfway::check {
 namespace {
 
 using reference::Answered;
+using reference::Candidate;
 
 class Checking {
  public:
@@ -66,39 +69,61 @@ class Checking {
   }
 
   void identify() {
-    const auto asks = identity_asks(verdict_.hello);
+    auto asks = identity_asks(verdict_.hello);
+    if (verdict_.hello.path)
+      for (Ask& ask : asks) ask = reference::with_road(ask);
     const Answerer write = questions_.writer("level1/identity");
     for (const Ask& ask : asks) write(ask);
     ask_rest("who is it");
-    auto candidates = reference::known_joints();
+    auto candidates = known_joints();
     for (auto& twin : wrong_twins()) candidates.push_back(std::move(twin));
     if (verdict_.hello.springs == Hello::Springs::isotropic)  // who takes one stiffness, too, is named first
       std::ranges::stable_partition(candidates, [](const auto& c) { return c.is_isotropic; });
     const double near = tolerance(verdict_.hello);
     verdict_.identity = reference::identify(answered(asks, questions_.reader()), candidates, near);
     verdict_.is_known = verdict_.identity.distance <= near;
+    if (verdict_.is_known) law_ = *std::ranges::find(candidates, verdict_.identity.name, &Candidate::name);
     if (verdict_.is_known || verdict_.identity.name.empty()) return;
     const auto more = family_asks(verdict_.hello);
-    const Answerer translated =
-        reference::translated(questions_.writer("level1/family"), verdict_.identity.convention);
-    for (const Ask& ask : more) translated(ask);
+    const Answerer write_more = as_asked(questions_.writer("level1/family"));
+    for (const Ask& ask : more) write_more(ask);
     ask_rest("which family");
-    verdict_.family = reference::fit_family(
-        answered(more, reference::translated(questions_.reader(), verdict_.identity.convention)));
+    verdict_.family = reference::fit_family(answered(more, as_asked(questions_.reader())));
   }
 
   void examine_all() {
-    const auto& convention = verdict_.identity.convention;
-    examine(reference::translated(questions_.writer("level2"), convention), verdict_.hello, as_bond_);
+    examined(as_asked(questions_.writer("level2")));
     ask_rest("what it does");
-    verdict_.results =
-        examine(reference::translated(questions_.reader(), convention), verdict_.hello, as_bond_);
+    verdict_.results = examined(as_asked(questions_.reader()));
+  }
+
+  std::vector<Result> examined(const Answerer& joint) const {
+    auto out = examine(joint, verdict_.hello, as_bond_);
+    if (as_bond_) return out;
+    for (auto& r : examine_springs(joint, verdict_.hello, law_)) out.push_back(std::move(r));
+    return out;
+  }
+
+  /// In our convention, along a road where the joint has a memory.
+  Answerer as_asked(const Answerer& program) const {
+    return along_road(verdict_.hello, reference::translated(program, verdict_.identity.convention));
+  }
+
+  /// Those with a memory first: along a straight road some of them are joints without one.
+  std::vector<Candidate> known_joints() const {
+    std::vector<Candidate> out;
+    if (verdict_.hello.path)
+      for (const auto& joint : reference::path_joints())
+        out.push_back({std::string(joint.name), joint.answer});
+    for (auto& known : reference::known_joints()) out.push_back(std::move(known));
+    return out;
   }
 
   Program& program_;
   bool as_bond_;
   const Told& told_;
   Questions questions_;
+  std::optional<Candidate> law_;  ///< what it is, where that is known
   std::size_t asked_ = 0;
   Verdict verdict_;
 };

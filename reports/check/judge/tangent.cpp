@@ -51,6 +51,8 @@ Result check_tangent(Program& program, const Hello& hello, const reference::Conv
   Result r{"level3/tangent", "the tangent is the derivative of the loads", "T = dq / d(x_a, w_a, x_b, w_b)"};
   r.where = "the program does not say that it gives one";
   if (!hello.tangent || !program.is_live()) return r;
+  r.where = "its loads depend on the road";
+  if (hello.path) return r;
   r.where = "its convention is not ours";
   if (convention.oddities() > 0) return r;
   const double h = std::pow(10, -hello.digits / 3);  // h^2 and 10^-digits / h are alike

@@ -27,6 +27,14 @@ if command -v xmllint >/dev/null; then xmllint --noout --schema "$xsd/junit-10.x
 grep -q '^your joint is helicoidal (' said || fail "eval is not told"
 grep -q '^  ok  *level3/tangent' said || fail "no tangent: $(cat said)"
 
+# Twenty lines of Python that take no ends and one stiffness each.
+adapter=$(dirname "$schema")/../../formulations/examples/check/adapter.py
+if command -v python3 >/dev/null; then
+  "$check" check --command "python3 '$adapter'" >said 2>told || fail "the adapter fails: $(cat said)"
+  grep -q '^your joint is attached_a (' said || fail "the adapter is not told: $(cat said)"
+  grep -q '^  left out *level2/ends' said || fail "ends were asked of the adapter"
+fi
+
 # Defects: exit code 1, a file each, a page for the maintainer; expected ones are none.
 refused 1 'FAIL' --command "'$check' subject bullet_6dof" --out failures
 for name in level3.moment_balance level3.body_order level3.loop_one; do

@@ -33,6 +33,8 @@ constexpr Overlooks kOverlooked[] = {
     {"/free_spin_z", {.forces = true}, "turns without moves: moments alone"},
     {"/second_order_moments", {.forces = true}, "turns without moves: moments alone"},
     {"programs/turns", {.forces = true}, "turns without moves: moments alone"},
+    {"programs/jumps", {.forces = true}, "turns without moves: moments alone"},
+    {"programs/cable", {.forces = true}, "turns without moves: moments alone"},
     {"/rounding_tangent", {.moments = true, .forces = true}, "compares tangents; /rounding has the loads"},
 };
 

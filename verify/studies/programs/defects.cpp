@@ -144,6 +144,25 @@ Finding share(const reference::ProgramJoint& joint) {
       .by(Oracle::closed_form);
 }
 
+/// From a millionth to a tenth of a radian: neither no stiffness at zero nor twice.
+Finding share_at_any_angle(const reference::ProgramJoint& joint) {
+  const auto* other = std::ranges::find(kShares, joint.name, &Share::joint);
+  const double expected = other == std::end(kShares) ? 1 : other->of_asked;
+  const auto answer = program_subject(joint.name);
+  Measurement worst;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double phi : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+      worst.include(std::abs(secant_stiffness(answer, axis, phi) / expected - 1) / (phi * phi + 1e-9),
+                    fmt::format("about {} at {} rad", "xyz"[axis], phi));
+  }
+  return program_finding("stiffness_at_any_angle", joint.name)
+      .measured(worst)
+      .in("of the angle squared, and 1e-9")
+      .at_most(1,
+               "moments are odd, sin and tan off by half the square at most; rounding over 1e-6 rad is 1e-10")
+      .by(Oracle::closed_form);
+}
+
 }  // namespace
 
 void program_loops(Checks& checks) {
@@ -167,8 +186,9 @@ void program_second_order(Checks& checks) {
 void program_stiffness(Checks& checks) {
   for (const auto& joint : reference::program_joints()) {
     if (joint.facts.is_bond) continue;  // without its line it has no rotation
-    checks.push_back({fmt::format("programs/stiffness/{}", joint.name), "",
-                      [&joint] { return std::vector{share(joint)}; }});
+    checks.push_back({fmt::format("programs/stiffness/{}", joint.name), "", [&joint] {
+                        return std::vector{share(joint), share_at_any_angle(joint)};
+                      }});
   }
 }
 

@@ -23,8 +23,9 @@ V after_cone(double A) {
   typename LsdynaScoor<scoor>::template State<double> state;
   state.reset(s);
   const auto turn_to = [&](const Mat3<double>& R) {
-    state.advance(V::Zero(), so3::log<double>(Mat3<double>(R * s.b.R.transpose())));
+    const V w_b = so3::log<double>(Mat3<double>(R * s.b.R.transpose()));
     s.b.R = R;
+    state.advance(s, V::Zero(), w_b);
   };
   const auto tilted = [](double angle, double round) {
     return so3::exp<double>(angle * V(std::cos(round), std::sin(round), 0));
@@ -67,6 +68,37 @@ std::vector<Finding> mean_remainder() {
           cone_finding("lsdyna_scoor_0_y", 0.8, left[1], -.0217, 6e-5, kWhy)};
 }
 
+/// Of a frame that stays on the line between the points: bent by 0.2 rad, the line alone is carried round a
+/// cone of half angle A, no body turns.
+/// @return  the angle by which the moment on b has turned about the line, rad
+template <Scoor scoor>
+double moment_turned(double A) {
+  Situation<double> s;
+  s.K_m = Mat3<double>::Identity(), s.K_f = Mat3<double>::Zero();
+  s.b.x = V(1, 0, 0);
+  typename LsdynaScoor<scoor>::template State<double> state;
+  state.reset(s);
+  const V bend(0, 0.2, 0);
+  s.b.R = so3::exp<double>(bend);
+  state.advance(s, V::Zero(), bend);
+  const auto line_to = [&](double angle, double round) {
+    s.b.x = so3::exp<double>(angle * V(0, std::cos(round), std::sin(round))).col(0);
+    state.advance(s, V::Zero(), V::Zero());
+  };
+  for (int i = 1; i <= kSteps / 8; ++i) line_to(A * i / (kSteps / 8), 0);
+  for (int i = 1; i <= kSteps; ++i) line_to(A, 2 * std::numbers::pi * i / kSteps);
+  for (int i = kSteps / 8; i-- > 0;) line_to(A * i / (kSteps / 8), 0);
+  const V moment = tapped(state.loads(s)).template segment<3>(9);
+  return std::atan2(moment[2], moment[1]);
+}
+
+std::vector<Finding> line_cone(double A) {
+  constexpr const char* kWhy = "4000 steps of second order: (2 pi/4000)^2 of the angle";
+  return {
+      cone_finding("lsdyna_scoor_-2", A, moment_turned<Scoor::with_a_on_line>(A), solid_angle(A), 1e-5, kWhy),
+      cone_finding("lsdyna_scoor_2", A, moment_turned<Scoor::with_b_on_line>(A), solid_angle(A), 1e-5, kWhy)};
+}
+
 /// Forces on two bodies that a path brought apart: own points leave d x f, half-way ones balance.
 template <Scoor scoor>
 double unbalanced() {
@@ -78,9 +110,9 @@ double unbalanced() {
   state.reset(s);
   for (int i = 0; i < 20; ++i) {
     const V w_a(.01, .02, -.015), w_b(-.02, .01, .03);
-    state.advance(w_a, w_b);
     s.a.R = so3::exp<double>(w_a) * s.a.R, s.b.R = so3::exp<double>(w_b) * s.b.R;
     s.b.x += V(.01, -.005, .02);
+    state.advance(s, w_a, w_b);
   }
   const auto q = tapped(state.loads(s));
   const V f = q.template segment<3>(6), m_a = q.template segment<3>(3), m_b = q.template segment<3>(9);
@@ -105,6 +137,8 @@ std::vector<Finding> balances() {
   return {own("lsdyna_scoor_0", unbalanced<Scoor::mean>()),
           own("lsdyna_scoor_-1", unbalanced<Scoor::with_a>()),
           own("lsdyna_scoor_1", unbalanced<Scoor::with_b>()),
+          balanced("lsdyna_scoor_-2", unbalanced<Scoor::with_a_on_line>()),
+          balanced("lsdyna_scoor_2", unbalanced<Scoor::with_b_on_line>()),
           balanced("lsdyna_scoor_-3", unbalanced<Scoor::with_a_balanced>()),
           balanced("lsdyna_scoor_3", unbalanced<Scoor::with_b_balanced>())};
 }
@@ -114,6 +148,8 @@ std::vector<Finding> balances() {
 void program_paths(Checks& checks) {
   for (double A : {0.2, 0.4, 0.8})
     checks.push_back({fmt::format("programs/cone/{}", A), "", [A] { return cone(A); }});
+  for (double A : {0.2, 0.8})
+    checks.push_back({fmt::format("programs/line_cone/{}", A), "", [A] { return line_cone(A); }});
   checks.push_back({"programs/cone_remainder", "", mean_remainder});
   checks.push_back({"programs/path_balance", "", balances});
 }

@@ -119,9 +119,24 @@ void add_scene(Checks& checks, const Scene& scene) {
   }
 }
 
+/// Scenes that are no cases: what users see of joints, in closed form; in double alone.
+std::vector<Finding> seen() {
+  std::vector<Finding> out;
+  for (const Scene& scene : reference::scenes_in(reference::scenes_folder() / "seen")) {
+    std::map<std::string, std::vector<SceneReference>> paths;
+    for (const SceneReference& r : scene.references) paths[r.formulation].push_back(r);
+    for (const auto& [formulation, references] : paths) {
+      const Entry& entry = *reference::find_formulation(formulation);
+      for (const Finding& f : along_path<double>(scene, references, entry, {}, "")) out.push_back(f);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 void cases(Checks& checks) {
+  checks.push_back({"scenes/seen", "cases", seen});
   for (const Scene& scene : scenes()) add_scene(checks, scene);
 }
 
