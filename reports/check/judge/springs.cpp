@@ -3,7 +3,7 @@
 #include "reference/numbers/random.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <cmath>
 
@@ -56,7 +56,8 @@ Result compared(Result r, const Answerer& joint, const Candidate& law, const std
   return held(r, worst.value(), limit, worst.where());
 }
 
-double softest(const Mat3<double>& K) { return K.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(); }
+/// No more than the softest direction's.
+double soft_bound(const Mat3<double>& K) { return 1 / K.inverse().norm(); }
 
 /// Springs whose stiffness has full 3 x 3 blocks; with `moves` the two are coupled, too, weakly enough for
 /// any definite matrix.
@@ -65,7 +66,7 @@ std::vector<Ask> coupled(const Hello& hello, bool moves) {
   reference::Generator g(20114);
   for (Ask& ask : asks) {
     if (!moves) continue;
-    const double most = 0.1 * std::sqrt(softest(ask.K_f) * softest(ask.K_m));
+    const double most = 0.1 * std::sqrt(soft_bound(ask.K_f) * soft_bound(ask.K_m));
     for (double& k : ask.K_fm.reshaped()) k = most * g.uniform(-1, 1);
   }
   return asks;

@@ -1,6 +1,6 @@
 #include "verify/oracle/saboteurs/sort.hpp"
 
-#include "reference/face/registry.hpp"
+#include "reference/programs/joints.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -51,9 +51,11 @@ std::vector<std::string> parts_of(const std::string& name) {
   return out;
 }
 
+/// Of the catalog, or a program's joint.
 bool is_formulation(const std::string& part) {
   const std::string name = part.substr(0, part.find("_xi_"));
-  return std::ranges::any_of(reference::catalogued(), [&](const auto& entry) { return entry.name == name; });
+  return reference::find_program_joint(name) != nullptr ||
+         std::ranges::any_of(reference::catalogued(), [&](const auto& entry) { return entry.name == name; });
 }
 
 bool is_number(const std::string& part) {

@@ -166,9 +166,12 @@ Finding left_out(const Entry& entry, const Writing& writing, const std::string& 
 }
 
 std::vector<Finding> in_writing(const Entry& entry, const Writing& writing) {
-  if (writing.write == law_in_other_axes && turn_sequence(entry.name))
-    return {
-        left_out(entry, writing, "angles about axes in turn: another law in other axes, see second_order")};
+  if (writing.write == law_in_other_axes && !is_tensorial(entry)) {
+    return {left_out(entry, writing,
+                     turn_sequence(entry.name)
+                         ? "angles about axes in turn: another law in other axes, see second_order"
+                         : "its measure has axes of its own: another law in other axes")};
+  }
   const bool exchanged = writing.write == nodes_exchanged;
   const auto partner_of = [&](Kind kind) { return exchanged ? exchange_partner(entry, kind) : own(entry); };
   if (!partner_of(Kind::angular))

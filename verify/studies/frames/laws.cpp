@@ -1,5 +1,7 @@
 #include "verify/studies/frames/laws.hpp"
 
+#include "reference/programs/joints.hpp"
+
 namespace halfway::verify {
 namespace {
 
@@ -26,6 +28,12 @@ const TurnSequence* turn_sequence(std::string_view formulation) {
     if (s.formulation == formulation) return &s;
   }
   return nullptr;
+}
+
+bool is_tensorial(const reference::Entry& entry) {
+  if (turn_sequence(entry.name)) return false;
+  const auto* joint = reference::find_program_joint(entry.name);
+  return joint == nullptr || joint->facts.tensorial;
 }
 
 std::optional<LawUnderTest> own(const reference::Entry& entry) {

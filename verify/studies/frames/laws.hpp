@@ -16,6 +16,9 @@ struct TurnSequence {
 /// Nothing for a tensorial law, to which no axes are special.
 const TurnSequence* turn_sequence(std::string_view formulation);
 
+/// Has the law no axes of its own? Of a program's joint, what is known of it says so.
+bool is_tensorial(const reference::Entry& entry);
+
 /// The formulation at the xi of its probes.
 std::optional<LawUnderTest> own(const reference::Entry& entry);
 
