@@ -5,7 +5,6 @@
 #pragma once
 
 #include "halfway/joint/family.hpp"
-#include "halfway/programs/dart_free.hpp"
 #include "halfway/programs/engines.hpp"
 #include "halfway/programs/havok.hpp"
 #include "reference/numbers/dual.hpp"
@@ -21,30 +20,30 @@ struct LeadingOrder {
   int loop_slope = 3;  ///< work round a loop ~ amplitude^slope: 4 where the second order has a potential
   bool has_fingerprint = false;  ///< the moment's second order is of the (alpha, beta) form
   double alpha = 0.5, beta = 0;
-  bool forces_leak = false;  ///< springs of translation alone do work round a loop of body b
 };
 
 /// Defects that are there, of a size that nobody has said: no rounding, and a hundred times everything.
 inline constexpr Band kThere{1e-4, 100};
 
+/// Of laws whose springs of translation are along the axes of a: alone, they do no work round a loop of body
+/// b.
 constexpr Facts facts_of(const programs::ProgramFacts& law, const LeadingOrder& order) {
   const auto unless = [](bool holds) { return holds ? Band{} : kThere; };
-  const bool force = !order.forces_leak, moment = law.anisotropic_conservative;
+  const bool moment = law.anisotropic_conservative;
   const Band balance = unless(law.balanced), exchange = unless(law.order_free);
-  return {
-      .moment_balance = {.linear = balance, .linear_angular = balance},
-      .node_order = {exchange, exchange, exchange},
-      .symmetry = {unless(moment), unless(force && law.balanced), unless(moment && force && law.balanced)},
-      .loop_work = {unless(moment), unless(force), unless(moment && force)},
-      .loop_slope = double(order.loop_slope),
-      .clamped_energy = moment ? Band{} : Band{1.5e-3, 1e6},  // beyond the integrator's own
-      .has_fingerprint = order.has_fingerprint,
-      .alpha = order.alpha,
-      .beta = order.beta};
+  return {.moment_balance = {.linear = balance, .linear_angular = balance},
+          .node_order = {exchange, exchange, exchange},
+          .symmetry = {unless(moment), balance, unless(moment && law.balanced)},
+          .loop_work = {unless(moment), {}, unless(moment)},
+          .loop_slope = double(order.loop_slope),
+          .clamped_energy = moment ? Band{} : Band{1.5e-3, 1e6},  // beyond the integrator's own
+          .has_fingerprint = order.has_fingerprint,
+          .alpha = order.alpha,
+          .beta = order.beta};
 }
 
-/// @tparam Law  one that BySprings; derive, and add `facts`
-template <class Law, bool forces_leak = false>
+/// @tparam Law  one that BySprings, along the axes of a; derive, and add `facts`
+template <class Law>
 struct AsFormulation {
   static constexpr const char* name = Law::name;
   static constexpr const char* stands_for = Law::stands_for;
@@ -53,9 +52,8 @@ struct AsFormulation {
 
   static constexpr bool has_potential(Kind kind) {
     constexpr programs::ProgramFacts known = Law::facts;
-    const bool force = known.balanced && !forces_leak;
-    if (kind == Kind::linear) return force;
-    return known.anisotropic_conservative && (force || kind == Kind::angular);
+    if (kind == Kind::linear) return known.balanced;
+    return known.anisotropic_conservative && (known.balanced || kind == Kind::angular);
   }
 
   template <Kind kind, class T>
@@ -192,10 +190,6 @@ struct ProgramRapierAsin : reference::AsFormulation<programs::RapierAsin> {
 struct ProgramHavok : reference::AsFormulation<programs::Havok> {
   static constexpr Facts facts =
       reference::facts_of(programs::Havok::facts, {.has_fingerprint = true, .alpha = 0});
-};
-struct ProgramDartFree : reference::AsFormulation<programs::DartFree, true> {
-  static constexpr Facts facts = reference::facts_of(
-      programs::DartFree::facts, {.has_fingerprint = true, .alpha = 1, .forces_leak = true});
 };
 struct ProgramNewtonD6 : reference::AsFormulation<programs::NewtonD6> {
   static constexpr Facts facts = reference::facts_of(programs::NewtonD6::facts, {});
