@@ -78,7 +78,8 @@ class Checking {
     auto candidates = known_joints();
     for (auto& twin : wrong_twins()) candidates.push_back(std::move(twin));
     if (verdict_.hello.springs == Hello::Springs::isotropic)  // who takes one stiffness, too, is named first
-      std::ranges::stable_partition(candidates, [](const auto& c) { return c.is_isotropic; });
+      std::stable_partition(candidates.begin(), candidates.end(),
+                            [](const auto& c) { return c.is_isotropic; });
     const double near = tolerance(verdict_.hello);
     verdict_.identity = reference::identify(answered(asks, questions_.reader()), candidates, near);
     verdict_.is_known = verdict_.identity.distance <= near;
