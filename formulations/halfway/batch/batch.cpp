@@ -40,6 +40,14 @@ const detail::Functions<T>& functions(const detail::Unit& unit, Kind kind) {
 }
 
 template <class T>
+const detail::Spreading<T>& spreading(Isa isa) {
+  if constexpr (std::is_same_v<T, double>)
+    return detail::spreadings(isa)->in_double;
+  else
+    return detail::spreadings(isa)->in_float;
+}
+
+template <class T>
 detail::Evaluate<T> function(const detail::Functions<T>& f, Output output) {
   return output == Output::residual ? f.residual : output == Output::product ? f.product : f.tangent;
 }
@@ -98,7 +106,7 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
   }
   const int lanes = (16 << int(c.isa)) / int(sizeof(T));
   detail::run(detail::Work<T>{model_, joints, results, output,
-                              leanest(*c.functions, output, model_.law, joints), lanes},
+                              leanest(*c.functions, output, model_.law, joints), spreading<T>(c.isa), lanes},
               options);
 }
 

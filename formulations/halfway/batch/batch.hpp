@@ -9,7 +9,7 @@
 #pragma once
 
 #include "halfway/batch/isa.hpp"
-#include "halfway/batch/job.hpp"
+#include "halfway/batch/loops/job.hpp"
 #include "halfway/joint/pose.hpp"
 
 #include <optional>

@@ -1,7 +1,8 @@
 // The formulations that have a batch, and the code that serves each.
 #pragma once
 
-#include "halfway/batch/job.hpp"
+#include "halfway/batch/isa.hpp"
+#include "halfway/batch/loops/job.hpp"
 #include "halfway/joint/pose.hpp"
 
 #include <span>
@@ -16,6 +17,9 @@ struct Entry {
   const Unit* units[3];   ///< by instruction set; nullptr: not built
   bool needs_xi;
 };
+
+/// By instruction set; nullptr: not built.
+const Spreadings* spreadings(Isa isa);
 
 /// In the order of catalog.def.
 std::span<const Entry> entries();

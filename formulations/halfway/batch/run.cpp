@@ -16,6 +16,7 @@ constexpr int kCacheLine = 64;
 
 constexpr int kMaxLanes = 16;
 constexpr int kMaxLawRows = 21;
+constexpr int kMaxBlockRows = 9 + 81;
 
 struct Range {
   long begin = 0, end = 0;
@@ -50,11 +51,57 @@ Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
   job.law = shared != nullptr ? Columns<const T>{shared->numbers, w.lanes} : moved(j.law, r.begin);
   job.law_step = shared != nullptr ? 0 : 1;
   job.polynomial = w.model.law == LawForm::polynomial;
-  job.a = j.a, job.b = j.b;
+  static constexpr BatchEnd<T> kAtTheNode{};
+  const bool ends = j.a != nullptr && j.b != nullptr;
+  job.a = ends ? j.a : &kAtTheNode, job.b = ends ? j.b : &kAtTheNode;
   job.xi = w.model.xi.value_or(0.5);
   job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);
-  job.all_entries = w.output == Output::tangent_144;
   return job;
+}
+
+/// The part [begin, begin + count) of a job.
+template <class T>
+Job<T> part_of(const Job<T>& whole, long begin, long count) {
+  Job<T> job = whole;
+  job.count = count;
+  for (Columns<const T>* c : {&job.q_a, &job.q_b, &job.x_a, &job.x_b, &job.direction}) *c = moved(*c, begin);
+  if (job.law_step != 0) job.law = moved(job.law, begin);
+  job.loads = moved(job.loads, begin), job.tangent = moved(job.tangent, begin);
+  return job;
+}
+
+/// nullptr: the loops write to the tables themselves.
+template <class T>
+typename Spreading<T>::Function spread_of(const Work<T>& w, bool past_caches) {
+  if (w.output == Output::tangent_144)
+    return past_caches ? w.spreading.all_entries_streamed : w.spreading.all_entries;
+  return past_caches ? w.spreading.streamed : nullptr;
+}
+
+/// Whole packs, their results by way of blocks that stay in the nearest cache.
+template <class T>
+void run_in_blocks(const Work<T>& w, const Job<T>& job, typename Spreading<T>::Function spread) {
+  constexpr long kPacks = 4;
+  alignas(64) T numbers[kPacks * (64 / sizeof(T)) * kMaxBlockRows];
+  const Kind kind = w.model.kind;
+  Block<T> block{numbers, 0, load_rows(kind), tangent_rows(kind, Output::tangent), {}, {}};
+  for (long i = 0; i < job.count; i += kPacks * w.lanes) {
+    Job<T> part = part_of(job, i, std::min(kPacks * w.lanes, job.count - i));
+    block.packs = part.count / w.lanes;
+    block.loads = part.loads, block.tangent = part.tangent;
+    part.loads = {numbers, w.lanes}, part.tangent = {numbers + block.load_rows * w.lanes, w.lanes};
+    part.step = block.load_rows + block.tangent_rows;
+    w.function(part);
+    spread(block);
+  }
+}
+
+template <class T>
+void run_packs(const Work<T>& w, const Job<T>& job, bool past_caches) {
+  if (const auto spread = spread_of(w, past_caches))
+    run_in_blocks(w, job, spread);
+  else
+    w.function(job);
 }
 
 /// The last joints, fewer than a pack: through tables of one pack, filled up with copies of the last one.
@@ -72,7 +119,7 @@ class Tail {
     if (work_.output == Output::product) pack.direction = read(job_.direction, direction_rows(kind));
     if (job_.law_step != 0) pack.law = read(job_.law, law_rows(kind, work_.model.law));
     pack.loads = place(load_rows(kind)), pack.tangent = place(tangent_rows(kind, work_.output));
-    work_.function(pack);
+    run_packs(work_, pack, false);
     write(pack.loads, job_.loads, load_rows(kind));
     write(pack.tangent, job_.tangent, tangent_rows(kind, work_.output));
   }
@@ -115,9 +162,7 @@ template <class T>
 void run_range(const Work<T>& w, Range r, const LawCopies<T>* shared, bool past_caches) {
   const long whole = (r.end - r.begin) / w.lanes * w.lanes;
   if (whole > 0) {
-    Job<T> job = job_of(w, {r.begin, r.begin + whole}, shared);
-    job.past_caches = past_caches;
-    w.function(job);
+    run_packs(w, job_of(w, {r.begin, r.begin + whole}, shared), past_caches);
     if (past_caches) end_of_streaming();
   }
   if (r.begin + whole < r.end) {

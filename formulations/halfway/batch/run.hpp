@@ -12,6 +12,7 @@ struct Work {
   const Results<T>& results;
   Output output;
   Evaluate<T> function;
+  const Spreading<T>& spreading;
   int lanes;  ///< joints in one pack
 };
 

@@ -32,23 +32,41 @@ struct Job {
   Columns<const T> q_a, q_b, x_a, x_b, law, direction;
   long law_step = 0;  ///< joints' law numbers follow one another: 1; shared, one pack of copies: 0
   bool polynomial = false;
-  const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< both or none
+  const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< read by the loops for any joints: both
   double xi = 0.5;
   Columns<T> loads, tangent;
-  bool all_entries = false;  ///< 144 numbers instead of 81
-  bool past_caches = false;  ///< streaming stores
+  long step = 1;  ///< from the results of a joint to those of the next; in blocks of packs: rows
 };
 
 template <class T>
 using Evaluate = void (*)(const Job<T>&);
 
-/// nullptr: not built. Joints without ends and with a linear law, the most frequent, may have lean code:
-/// a choice made once a pack, however well predicted, has its results pass through memory (measured:
-/// up to twice the time of a residual).
+/// nullptr: not built. Joints without ends and with a linear law, the most frequent, may have lean loops
+/// (Loop, unit.hpp).
 template <class T>
 struct Functions {
   Evaluate<T> residual = nullptr, tangent = nullptr, lean_residual = nullptr, lean_tangent = nullptr,
               product = nullptr;
+};
+
+/// Some packs of results, [pack][row][lane], loads before the tangent, and where the first of them goes.
+template <class T>
+struct Block {
+  const T* first;
+  long packs;
+  int load_rows, tangent_rows;
+  Columns<T> loads, tangent;
+};
+
+/// What becomes of blocks whose tables a loop does not write itself.
+template <class T>
+struct Spreading {
+  using Function = void (*)(const Block<T>&);
+  Function streamed, all_entries, all_entries_streamed;
+};
+struct Spreadings {
+  Spreading<double> in_double;
+  Spreading<float> in_float;
 };
 
 /// One formulation in one instruction set, by kind. Constant data: asking for it runs no instruction

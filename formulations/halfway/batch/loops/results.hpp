@@ -1,8 +1,8 @@
 // Where a pack's results go.
 #pragma once
 
-#include "halfway/batch/job.hpp"
-#include "halfway/batch/pack.hpp"
+#include "halfway/batch/loops/job.hpp"
+#include "halfway/batch/loops/pack.hpp"
 #include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/loads.hpp"
 
@@ -32,16 +32,16 @@ struct Writer {
   }
 };
 
-template <bool past_caches, class Number>
-HALFWAY_INLINE Writer<past_caches, Number> writer(const Columns<Number>& c, long i) {
+template <class Number>
+HALFWAY_INLINE Writer<false, Number> writer(const Columns<Number>& c, long i) {
   return {c.first + i, c.stride};
 }
 
-template <bool past_caches, bool with_tangent, class P, class Number>
-HALFWAY_INLINE void put_through(const kernel::MomentLoads<P>& l, const Job<Number>& job, long i) {
-  writer<past_caches>(job.loads, i).vector(0, l.m);
+template <bool with_tangent, class P, class Number>
+HALFWAY_INLINE void put(const kernel::MomentLoads<P>& l, const Job<Number>& job, long i) {
+  writer(job.loads, i * job.step).vector(0, l.m);
   if constexpr (with_tangent) {
-    const auto out = writer<past_caches>(job.tangent, i);
+    const auto out = writer(job.tangent, i * job.step);
     out.matrix(0, l.wa), out.matrix(9, l.wb);
   }
 }
@@ -51,38 +51,26 @@ template <class W, class P>
 HALFWAY_INLINE void put_distinct(const W& out, int row, const kernel::Load<P>& l) {
   out.matrix(row, l.x), out.matrix(row + 9, l.wa), out.matrix(row + 18, l.wb);
 }
-template <bool past_caches, bool with_tangent, class P, class Number>
-HALFWAY_INLINE void put_through(const kernel::PointLoads<P>& l, const Job<Number>& job, long i) {
-  const auto loads = writer<past_caches>(job.loads, i);
+template <bool with_tangent, class P, class Number>
+HALFWAY_INLINE void put(const kernel::PointLoads<P>& l, const Job<Number>& job, long i) {
+  const auto loads = writer(job.loads, i * job.step);
   loads.vector(0, l.f.value), loads.vector(3, l.a.value), loads.vector(6, l.b.value);
   if constexpr (with_tangent) {
-    const auto out = writer<past_caches>(job.tangent, i);
-    if (!job.all_entries) {
-      put_distinct(out, 0, l.f), put_distinct(out, 27, l.a), put_distinct(out, 54, l.b);
-    } else {
-      kernel::put_tangent(out, l);
-    }
+    const auto out = writer(job.tangent, i * job.step);
+    put_distinct(out, 0, l.f), put_distinct(out, 27, l.a), put_distinct(out, 54, l.b);
   }
-}
-
-template <bool with_tangent, class L, class Number>
-HALFWAY_INLINE void put(const L& loads, const Job<Number>& job, long i) {
-  if (with_tangent && job.past_caches)
-    put_through<true, with_tangent>(loads, job, i);
-  else
-    put_through<false, with_tangent>(loads, job, i);
 }
 
 template <class P, class Number>
 HALFWAY_INLINE void put_product(const kernel::MomentLoads<kernel::Dual<P>>& l, const Job<Number>& job,
                                 long i) {
-  writer<false>(job.loads, i).vector(0, value(l.m));
-  writer<false>(job.tangent, i).vector(0, derivative(l.m));
+  writer(job.loads, i).vector(0, value(l.m));
+  writer(job.tangent, i).vector(0, derivative(l.m));
 }
 template <class P, class Number>
 HALFWAY_INLINE void put_product(const kernel::PointLoads<kernel::Dual<P>>& l, const Job<Number>& job,
                                 long i) {
-  const auto loads = writer<false>(job.loads, i), product = writer<false>(job.tangent, i);
+  const auto loads = writer(job.loads, i), product = writer(job.tangent, i);
   loads.vector(0, value(l.f.value)), loads.vector(3, value(l.a.value)), loads.vector(6, value(l.b.value));
   product.vector(0, derivative(l.f.value)), product.vector(3, derivative(l.a.value));
   product.vector(6, derivative(l.b.value));
