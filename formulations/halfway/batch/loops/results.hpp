@@ -3,8 +3,11 @@
 
 #include "halfway/batch/loops/job.hpp"
 #include "halfway/batch/loops/pack.hpp"
+#include "halfway/joint/pose.hpp"
 #include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/loads.hpp"
+
+#include <type_traits>
 
 namespace halfway::batch::detail {
 
@@ -37,29 +40,57 @@ HALFWAY_INLINE Writer<false, Number> writer(const Columns<Number>& c, long i) {
   return {c.first + i, c.stride};
 }
 
-template <bool with_tangent, class P, class Number>
-HALFWAY_INLINE void put(const kernel::MomentLoads<P>& l, const Job<Number>& job, long i) {
-  writer(job.loads, i * job.step).vector(0, l.m);
-  if constexpr (with_tangent) {
-    const auto out = writer(job.tangent, i * job.step);
-    out.matrix(0, l.wa), out.matrix(9, l.wb);
+/// Rows of tables that take a load's parts as they come.
+template <class Number>
+struct VectorRows {
+  Number* first;
+  long stride;
+  template <class P>
+  HALFWAY_INLINE void operator=(const kernel::V3<P>& v) const {
+    Writer<false, Number>{first, stride}.vector(0, v);
   }
-}
+};
+template <class Number>
+struct MatrixRows {
+  Number* first;
+  long stride;
+  template <class P>
+  HALFWAY_INLINE void operator=(const kernel::M3<P>& m) const {
+    Writer<false, Number>{first, stride}.matrix(0, m);
+  }
+};
+/// One load's three rows, and the 27 of its three blocks.
+template <class Number>
+struct LoadRows {
+  VectorRows<Number> value;
+  MatrixRows<Number> x, wa, wb;
 
-/// One load's three blocks, 27 rows.
-template <class W, class P>
-HALFWAY_INLINE void put_distinct(const W& out, int row, const kernel::Load<P>& l) {
-  out.matrix(row, l.x), out.matrix(row + 9, l.wa), out.matrix(row + 18, l.wb);
-}
-template <bool with_tangent, class P, class Number>
-HALFWAY_INLINE void put(const kernel::PointLoads<P>& l, const Job<Number>& job, long i) {
-  const auto loads = writer(job.loads, i * job.step);
-  loads.vector(0, l.f.value), loads.vector(3, l.a.value), loads.vector(6, l.b.value);
-  if constexpr (with_tangent) {
-    const auto out = writer(job.tangent, i * job.step);
-    put_distinct(out, 0, l.f), put_distinct(out, 27, l.a), put_distinct(out, 54, l.b);
-  }
-}
+  HALFWAY_INLINE LoadRows(const Columns<Number>& l, const Columns<Number>& t, long at, int load)
+      : value{l.first + at + 3 * load * l.stride, l.stride},
+        x{t.first + at + 27 * load * t.stride, t.stride},
+        wa{t.first + at + (27 * load + 9) * t.stride, t.stride},
+        wb{t.first + at + (27 * load + 18) * t.stride, t.stride} {}
+};
+template <class Number>
+struct PointRows {
+  LoadRows<Number> f, a, b;
+  HALFWAY_INLINE PointRows(const Job<Number>& job, long i)
+      : f(job.loads, job.tangent, i * job.step, 0),
+        a(job.loads, job.tangent, i * job.step, 1),
+        b(job.loads, job.tangent, i * job.step, 2) {}
+};
+
+template <class Number>
+struct MomentRows {
+  VectorRows<Number> m;
+  MatrixRows<Number> wa, wb;
+  HALFWAY_INLINE MomentRows(const Job<Number>& job, long i)
+      : m{job.loads.first + i * job.step, job.loads.stride},
+        wa{job.tangent.first + i * job.step, job.tangent.stride},
+        wb{job.tangent.first + i * job.step + 9 * job.tangent.stride, job.tangent.stride} {}
+};
+template <Kind kind, class Number>
+using Rows = std::conditional_t<kind == Kind::angular, MomentRows<Number>, PointRows<Number>>;
 
 template <class P, class Number>
 HALFWAY_INLINE void put_product(const kernel::MomentLoads<kernel::Dual<P>>& l, const Job<Number>& job,

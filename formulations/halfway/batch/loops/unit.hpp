@@ -93,24 +93,27 @@ inline constexpr bool kSparesCoupling = requires {
   requires K::kSparesCoupling;
 };
 
-/// Loads of a pack's joints between nodes of the orientations q; D: from node a to b, m, read if not angular.
+/// Loads of a pack's joints between nodes of the orientations q.
+/// @param D  from node a to b, m; read if not angular
+/// @param out  MomentLoads or PointLoads, or what takes its parts as soon as they are known
 template <class K, Kind kind, class Angle, bool with_tangent, bool ends, class P, class T, class L,
-          class Number>
-HALFWAY_INLINE auto loads_between(const K& k, const L& law, const Quat<T>& q_a, const Quat<T>& q_b,
-                                  const V3<T>& D, const Job<Number>& job) {
+          class Number, class Out>
+HALFWAY_INLINE void loads_between(const K& k, const L& law, const Quat<T>& q_a, const Quat<T>& q_b,
+                                  const V3<T>& D, const Job<Number>& job, Out& out) {
   if constexpr (ends) {
     const PlacedNode<T> a = node<kind, P>(q_a, *job.a), b = node<kind, P>(q_b, *job.b);
     const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
     if constexpr (kind == Kind::angular)
-      return k.template angular<Angle, with_tangent>(r, law);
+      kernel::assign<with_tangent>(k.template angular<Angle, with_tangent>(r, law), out);
     else
-      return kernel::node_loads<Angle, kind, with_tangent>(k, law, r, D, a.arm, b.arm);
+      kernel::assign<with_tangent>(kernel::node_loads<Angle, kind, with_tangent>(k, law, r, D, a.arm, b.arm),
+                                   out);
   } else {
     const auto r = kernel::relative_for<K, kind>(q_a, q_b);
     if constexpr (kind == Kind::angular)
-      return k.template angular<Angle, with_tangent>(r, law);
+      kernel::assign<with_tangent>(k.template angular<Angle, with_tangent>(r, law), out);
     else
-      return kernel::node_loads<Angle, kind, with_tangent>(k, law, r, D);
+      kernel::put_node_loads<Angle, kind, with_tangent>(k, law, r, D, out);
   }
 }
 
@@ -122,12 +125,12 @@ HALFWAY_INLINE V3<P> distance_at(const Columns<const Number>& x_a, const Columns
     return vector_at<P>(x_b, 0, i) - vector_at<P>(x_a, 0, i);
 }
 
-/// Loads of joints i .. i + lanes: MomentLoads or PointLoads, in registers.
-template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number>
-HALFWAY_INLINE auto loads_at(const K& k, const Job<Number>& job, long i) {
-  return loads_between<K, kind, ExactAngle, with_tangent, loop == Loop::any, P>(
+/// Loads of joints i .. i + lanes, in registers: out as for loads_between().
+template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number, class Out>
+HALFWAY_INLINE void loads_at(const K& k, const Job<Number>& job, long i, Out& out) {
+  loads_between<K, kind, ExactAngle, with_tangent, loop == Loop::any, P>(
       k, law_at<kind, P, Number, loop>(job, i), quaternion_at<P>(job.q_a, i), quaternion_at<P>(job.q_b, i),
-      distance_at<kind, P>(job.x_a, job.x_b, i), job);
+      distance_at<kind, P>(job.x_a, job.x_b, i), job, out);
 }
 
 /// Residual, with or without its tangent.
@@ -139,7 +142,8 @@ void evaluate(const Job<Number>& call) {
   const Job<Number> job = call;  // what is stored to a table cannot change it
   const K k = kernel_of<K>(job);
   for (long i = 0; i < job.count; i += P::kLanes) {
-    put<with_tangent>(loads_at<K, kind, with_tangent, loop, P>(k, job, i), job, i);
+    Rows<kind, Number> out(job, i);
+    loads_at<K, kind, with_tangent, loop, P>(k, job, i, out);
   }
 }
 
@@ -160,10 +164,11 @@ void evaluate_product(const Job<Number>& call) {
       D = kernel::dual(distance_at<kind, P>(job.x_a, job.x_b, i),
                        vector_at<P>(job.direction, 6, i) - vector_at<P>(job.direction, 0, i));
     }
-    put_product(loads_between<K, kind, kernel::Along<ExactAngle>, false, true, P>(
-                    k, along, moved(quaternion_at<P>(job.q_a, i), w_a),
-                    moved(quaternion_at<P>(job.q_b, i), w_b), D, job),
-                job, i);
+    std::conditional_t<kAngular, kernel::MomentLoads<T>, kernel::PointLoads<T>> out;
+    loads_between<K, kind, kernel::Along<ExactAngle>, false, true, P>(
+        k, along, moved(quaternion_at<P>(job.q_a, i), w_a), moved(quaternion_at<P>(job.q_b, i), w_b), D, job,
+        out);
+    put_product(out, job, i);
   }
 }
 
