@@ -57,7 +57,9 @@ template <class T>
 detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawForm law,
                             const Joints<T>& joints) {
   const bool lean = law == LawForm::linear && joints.a == nullptr && output != Output::product;
-  const auto twin = output == Output::residual ? f.lean_residual : f.lean_tangent;
+  const auto twin = output == Output::residual     ? f.lean_residual
+                    : output == Output::compressed ? f.lean_compressed
+                                                   : f.lean_tangent;
   return lean && twin != nullptr ? twin : function(f, output);
 }
 
@@ -73,9 +75,15 @@ bool Batch::knows(std::string_view formulation) {
   return std::ranges::any_of(detail::entries(), [&](const Entry& e) { return e.name == formulation; });
 }
 
+int Batch::compressed_rows(const Model& model) {
+  return entry_named(model.formulation).compressed[int(model.kind)];
+}
+
 template <class T>
 Batch::Code<T> Batch::code(Output output) const {
   if (output == Output::tangent_144 && model_.kind == Kind::angular) return {};
+  if (output == Output::compressed && (sizeof(T) != sizeof(double) || compressed_rows(model_) == 0))
+    return {};
   for (int isa = int(widest_); isa >= 0; --isa) {
     const detail::Unit* const unit = served_by_->units[isa];
     if (unit == nullptr) continue;
@@ -105,9 +113,44 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
                                 ": this output is not built for the instruction sets in use");
   }
   const int lanes = (16 << int(c.isa)) / int(sizeof(T));
-  detail::run(detail::Work<T>{model_, joints, results, output,
-                              leanest(*c.functions, output, model_.law, joints), spreading<T>(c.isa), lanes},
-              options);
+  const auto f = leanest(*c.functions, output, model_.law, joints);
+  const bool compressed = output == Output::compressed;
+  const int rows = compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
+  const bool compressing = compressed && f == c.functions->lean_compressed;
+  detail::run(
+      detail::Work<T>{model_, joints, results, output, f, spreading<T>(c.isa), lanes, rows, compressing},
+      options);
+}
+
+namespace {
+
+/// Compressed results of a batch; nullptr for what a call does not read.
+detail::Unpacking unpacking(const Joints<double>& j, const Results<double>& r, int rows,
+                            const Columns<double>& out) {
+  return {j.count,
+          j.x_a,
+          j.x_b,
+          j.direction,
+          {r.loads.first, r.loads.stride},
+          detail::blocks<const double>(r.tangent.first, rows),
+          {out.first, out.stride}};
+}
+
+}  // namespace
+
+void Batch::expand(const Joints<double>& joints, const Results<double>& compressed,
+                   const Columns<double>& tangent, Output output) const {
+  const int rows = compressed_rows(model_);
+  const auto& s = spreading<double>(widest_);
+  (output == Output::tangent_144 ? s.expand_all : s.expand)[detail::compressed_form(rows)](
+      unpacking(joints, compressed, rows, tangent));
+}
+
+void Batch::multiply(const Joints<double>& joints, const Results<double>& compressed,
+                     const Columns<double>& product) const {
+  const int rows = compressed_rows(model_);
+  spreading<double>(widest_).multiply[detail::compressed_form(rows)](
+      unpacking(joints, compressed, rows, product));
 }
 
 template bool Batch::has<double>(Output) const;

@@ -16,7 +16,15 @@ struct Entry {
   const void* served[3];  ///< identity of the kernel that serves it, by kind
   const Unit* units[3];   ///< by instruction set; nullptr: not built
   bool needs_xi;
+  int compressed[3];  ///< Batch::compressed_rows(), by kind
 };
+
+/// Which of the forms of Spreading has that many rows.
+constexpr int compressed_form(int rows) { return rows == 9 ? 0 : rows == 33 ? 1 : 2; }
+template <class T>
+constexpr Place<T> blocks(T* first, int rows) {
+  return {first, 8, rows, 8};
+}
 
 /// By instruction set; nullptr: not built.
 const Spreadings* spreadings(Isa isa);

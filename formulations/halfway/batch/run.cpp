@@ -1,5 +1,7 @@
 #include "halfway/batch/run.hpp"
 
+#include "halfway/batch/entries.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <thread>
@@ -41,6 +43,15 @@ Columns<T> moved(const Columns<T>& c, long by) {
 }
 
 template <class T>
+Place<T> moved(const Place<T>& p, long by) {
+  return {p.first == nullptr ? nullptr : p.at(by), p.stride, p.rows, p.block};
+}
+template <class T>
+Place<T> table(const Columns<T>& c) {
+  return {c.first, c.stride};
+}
+
+template <class T>
 Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
   const Joints<T>& j = w.joints;
   Job<T> job;
@@ -55,7 +66,10 @@ Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
   const bool ends = j.a != nullptr && j.b != nullptr;
   job.a = ends ? j.a : &kAtTheNode, job.b = ends ? j.b : &kAtTheNode;
   job.xi = w.model.xi.value_or(0.5);
-  job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);
+  const bool compressed = w.output == Output::compressed;
+  job.loads = moved(table(w.results.loads), r.begin);
+  job.tangent =
+      moved(compressed ? blocks(w.results.tangent.first, w.tangent_rows) : table(w.results.tangent), r.begin);
   return job;
 }
 
@@ -73,6 +87,8 @@ Job<T> part_of(const Job<T>& whole, long begin, long count) {
 /// nullptr: the loops write to the tables themselves.
 template <class T>
 typename Spreading<T>::Function spread_of(const Work<T>& w, bool past_caches) {
+  if (w.output == Output::compressed)
+    return w.compressing ? nullptr : w.spreading.compressed[compressed_form(w.tangent_rows)];
   if (w.output == Output::tangent_144)
     return past_caches ? w.spreading.all_entries_streamed : w.spreading.all_entries;
   return past_caches ? w.spreading.streamed : nullptr;
@@ -89,8 +105,9 @@ void run_in_blocks(const Work<T>& w, const Job<T>& job, typename Spreading<T>::F
     Job<T> part = part_of(job, i, std::min(kPacks * w.lanes, job.count - i));
     block.packs = part.count / w.lanes;
     block.loads = part.loads, block.tangent = part.tangent;
-    part.loads = {numbers, w.lanes}, part.tangent = {numbers + block.load_rows * w.lanes, w.lanes};
-    part.step = block.load_rows + block.tangent_rows;
+    const int rows = block.load_rows + block.tangent_rows;
+    part.loads = {numbers, w.lanes, rows, w.lanes};
+    part.tangent = {numbers + block.load_rows * w.lanes, w.lanes, rows, w.lanes};
     w.function(part);
     spread(block);
   }
@@ -118,10 +135,10 @@ class Tail {
     if (kind != Kind::angular) pack.x_a = read(job_.x_a, 3), pack.x_b = read(job_.x_b, 3);
     if (work_.output == Output::product) pack.direction = read(job_.direction, direction_rows(kind));
     if (job_.law_step != 0) pack.law = read(job_.law, law_rows(kind, work_.model.law));
-    pack.loads = place(load_rows(kind)), pack.tangent = place(tangent_rows(kind, work_.output));
+    pack.loads = table(place(load_rows(kind))), pack.tangent = table(place(work_.tangent_rows));
     run_packs(work_, pack, false);
     write(pack.loads, job_.loads, load_rows(kind));
-    write(pack.tangent, job_.tangent, tangent_rows(kind, work_.output));
+    write(pack.tangent, job_.tangent, work_.tangent_rows);
   }
 
  private:
@@ -139,7 +156,7 @@ class Tail {
     }
     return {to.first, to.stride};
   }
-  void write(const Columns<T>& from, const Columns<T>& to, int rows) const {
+  void write(const Place<T>& from, const Place<T>& to, int rows) const {
     for (int row = 0; row < rows; ++row) {
       std::copy_n(from.first + row * from.stride, job_.count, to.first + row * to.stride);
     }
@@ -178,7 +195,7 @@ bool on_boundary(const void* p, long stride_bytes) {
 template <class T>
 bool past_caches(const Work<T>& w, Streaming streaming) {
   const auto& [loads, tangent] = w.results;
-  if (streaming == Streaming::never || w.output == Output::residual || w.output == Output::product)
+  if (streaming == Streaming::never || (w.output != Output::tangent && w.output != Output::tangent_144))
     return false;
   constexpr long kSize = sizeof(T);
   if (!on_boundary(loads.first, loads.stride * kSize) ||

@@ -13,7 +13,9 @@ struct Work {
   Output output;
   Evaluate<T> function;
   const Spreading<T>& spreading;
-  int lanes;  ///< joints in one pack
+  int lanes;         ///< joints in one pack
+  int tangent_rows;  ///< of the output
+  bool compressing;  ///< does the function keep what compressed tangents keep?
 };
 
 template <class T>

@@ -20,7 +20,7 @@ template <class Translation, class Measure, class Transport>
 struct FamilyKernel {
   [[no_unique_address]] Translation translation{};
 
-  static constexpr bool kBalanced = true;
+  static constexpr bool kBalanced = true, kSymmetricForce = true;
   template <Kind kind>
   static constexpr bool kNeedsRelative = kind != Kind::linear || !Translation::kConstant;
   static constexpr bool kConjugate = Transport::kConjugate;

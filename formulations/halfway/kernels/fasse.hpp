@@ -25,7 +25,7 @@ HALFWAY_INLINE M3<T> between(const Quat<T>& a, const Quat<T>& b) {
 }
 
 struct FasseKernel {
-  static constexpr bool kBalanced = true;
+  static constexpr bool kBalanced = true, kSymmetricForce = true;
   template <Kind>
   static constexpr bool kConservative = true;
   static constexpr bool kSparesCoupling = true;  ///< a coupling has two fifths of the flops

@@ -77,6 +77,11 @@ HALFWAY_INLINE MomentLoads<T> loads(const KernelJoint<Kind::angular, K, L, E>& j
   return joint.kernel.template angular<typename Accuracy::Angle, with_tangent>(r, joint.law);
 }
 
+/// Is the force's derivative by the position symmetric, and are the loads balanced?
+template <class K>
+inline constexpr bool kSymmetricForce = requires {
+  requires K::kSymmetricForce;
+};
 /// Do the loads follow from a potential, whatever the law (its stiffness is symmetric)?
 template <class K, Kind kind>
 inline constexpr bool kConservative = requires {

@@ -25,6 +25,17 @@ struct BatchEnd {
 
 namespace detail {
 
+/// Where results go: number c of joint i at at(i)[c * stride]. Rows of a table (rows = 1), or blocks of
+/// `block` joints, a power of two, with so many rows each.
+template <class T>
+struct Place {
+  T* first = nullptr;
+  long stride = 0;
+  long rows = 1, block = 1;
+
+  constexpr T* at(long i) const { return first + (i & -block) * rows + (i & (block - 1)); }
+};
+
 /// One call of a kernel: joints 0 .. count, a multiple of the pack's lanes.
 template <class T>
 struct Job {
@@ -34,8 +45,7 @@ struct Job {
   bool polynomial = false;
   const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< read by the loops for any joints: both
   double xi = 0.5;
-  Columns<T> loads, tangent;
-  long step = 1;  ///< from the results of a joint to those of the next; in blocks of packs: rows
+  Place<T> loads, tangent;
 };
 
 template <class T>
@@ -46,7 +56,7 @@ using Evaluate = void (*)(const Job<T>&);
 template <class T>
 struct Functions {
   Evaluate<T> residual = nullptr, tangent = nullptr, lean_residual = nullptr, lean_tangent = nullptr,
-              product = nullptr;
+              lean_compressed = nullptr, product = nullptr;
 };
 
 /// Some packs of results, [pack][row][lane], loads before the tangent, and where the first of them goes.
@@ -55,14 +65,25 @@ struct Block {
   const T* first;
   long packs;
   int load_rows, tangent_rows;
-  Columns<T> loads, tangent;
+  Place<T> loads, tangent;
 };
 
-/// What becomes of blocks whose tables a loop does not write itself.
+/// Joints' compressed tangents with their loads, and what is made of them.
+struct Unpacking {
+  long count;
+  Columns<const double> x_a, x_b, direction;
+  Place<const double> loads, tangent;
+  Place<double> out;
+};
+
+/// What becomes of blocks whose tables a loop does not write itself. Compressed tangents are of an angular
+/// joint, in general, or of a potential.
 template <class T>
 struct Spreading {
   using Function = void (*)(const Block<T>&);
-  Function streamed, all_entries, all_entries_streamed;
+  using Unpack = void (*)(const Unpacking&);
+  Function streamed, all_entries, all_entries_streamed, compressed[3];
+  Unpack expand[3], expand_all[3], multiply[3];
 };
 struct Spreadings {
   Spreading<double> in_double;

@@ -3,7 +3,7 @@
 
 #include "halfway/batch/loops/job.hpp"
 #include "halfway/batch/loops/pack.hpp"
-#include "halfway/joint/pose.hpp"
+#include "halfway/batch/loops/same.hpp"
 #include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/loads.hpp"
 
@@ -11,12 +11,13 @@
 
 namespace halfway::batch::detail {
 
-/// Writes rows of a table at the joints of one pack.
+/// Rows of numbers at the joints of one pack.
 template <bool past_caches, class Number>
 struct Writer {
   Number* first;
   long stride;
 
+  HALFWAY_INLINE Writer from(int row) const { return {first + row * stride, stride}; }
   template <class P>
   HALFWAY_INLINE void one(int row, const P& x) const {
     if constexpr (past_caches)
@@ -36,61 +37,85 @@ struct Writer {
 };
 
 template <class Number>
-HALFWAY_INLINE Writer<false, Number> writer(const Columns<Number>& c, long i) {
-  return {c.first + i, c.stride};
+HALFWAY_INLINE Writer<false, Number> writer(const Place<Number>& place, long i) {
+  return {place.at(i), place.stride};
 }
 
-/// Rows of tables that take a load's parts as they come.
+/// What takes a load's parts as they come: all rows of a vector or a matrix, its upper triangle, none.
 template <class Number>
-struct VectorRows {
-  Number* first;
-  long stride;
+struct Rows {
+  Writer<false, Number> to;
   template <class P>
   HALFWAY_INLINE void operator=(const kernel::V3<P>& v) const {
-    Writer<false, Number>{first, stride}.vector(0, v);
+    to.vector(0, v);
   }
-};
-template <class Number>
-struct MatrixRows {
-  Number* first;
-  long stride;
   template <class P>
   HALFWAY_INLINE void operator=(const kernel::M3<P>& m) const {
-    Writer<false, Number>{first, stride}.matrix(0, m);
+    to.matrix(0, m);
   }
 };
-/// One load's three rows, and the 27 of its three blocks.
 template <class Number>
-struct LoadRows {
-  VectorRows<Number> value;
-  MatrixRows<Number> x, wa, wb;
-
-  HALFWAY_INLINE LoadRows(const Columns<Number>& l, const Columns<Number>& t, long at, int load)
-      : value{l.first + at + 3 * load * l.stride, l.stride},
-        x{t.first + at + 27 * load * t.stride, t.stride},
-        wa{t.first + at + (27 * load + 9) * t.stride, t.stride},
-        wb{t.first + at + (27 * load + 18) * t.stride, t.stride} {}
+struct UpperRows {
+  Writer<false, Number> to;
+  template <class P>
+  HALFWAY_INLINE void operator=(const kernel::M3<P>& m) const {
+    to.vector(0, m.x), to.one(3, m.y.y), to.one(4, m.y.z), to.one(5, m.z.z);
+  }
 };
-template <class Number>
-struct PointRows {
-  LoadRows<Number> f, a, b;
-  HALFWAY_INLINE PointRows(const Job<Number>& job, long i)
-      : f(job.loads, job.tangent, i * job.step, 0),
-        a(job.loads, job.tangent, i * job.step, 1),
-        b(job.loads, job.tangent, i * job.step, 2) {}
+struct NoRows {
+  template <class X>
+  HALFWAY_INLINE void operator=(const X&) const {}
 };
-
-template <class Number>
+template <class M, class Wa, class Wb>
 struct MomentRows {
-  VectorRows<Number> m;
-  MatrixRows<Number> wa, wb;
-  HALFWAY_INLINE MomentRows(const Job<Number>& job, long i)
-      : m{job.loads.first + i * job.step, job.loads.stride},
-        wa{job.tangent.first + i * job.step, job.tangent.stride},
-        wb{job.tangent.first + i * job.step + 9 * job.tangent.stride, job.tangent.stride} {}
+  M m;
+  Wa wa;
+  Wb wb;
 };
-template <Kind kind, class Number>
-using Rows = std::conditional_t<kind == Kind::angular, MomentRows<Number>, PointRows<Number>>;
+template <class Value, class X, class Wa, class Wb>
+struct LoadRows {
+  Value value;
+  X x;
+  Wa wa;
+  Wb wb;
+};
+template <class F, class A, class B>
+struct PointRows {
+  F f;
+  A a;
+  B b;
+};
+
+template <Kind kind, Kept kept, class W>
+HALFWAY_INLINE auto rows_at(const W& loads, const W& tangent) {
+  using R = Rows<std::remove_pointer_t<decltype(tangent.first)>>;
+  using U = UpperRows<std::remove_pointer_t<decltype(tangent.first)>>;
+  const auto load = [&](int k) HALFWAY_INLINE_LAMBDA { return R{loads.from(3 * k)}; };
+  const auto row = [&](int k) HALFWAY_INLINE_LAMBDA { return R{tangent.from(k)}; };
+  const auto all = [&](int k) HALFWAY_INLINE_LAMBDA {
+    return LoadRows<R, R, R, R>{load(k), row(27 * k), row(27 * k + 9), row(27 * k + 18)};
+  };
+  using Value = LoadRows<R, NoRows, NoRows, NoRows>;
+  if constexpr (kind == Kind::angular && kept == Kept::all) {
+    return MomentRows<R, R, R>{load(0), row(0), row(9)};
+  } else if constexpr (kind == Kind::angular) {
+    return MomentRows<R, NoRows, R>{load(0), {}, row(0)};
+  } else if constexpr (kept == Kept::all) {
+    return PointRows<LoadRows<R, R, R, R>, LoadRows<R, R, R, R>, LoadRows<R, R, R, R>>{all(0), all(1),
+                                                                                       all(2)};
+  } else {
+    using F = LoadRows<R, U, NoRows, R>;
+    const F f{load(0), {tangent.from(0)}, {}, row(6)};
+    const Value a{load(1), {}, {}, {}};
+    if constexpr (kept == Kept::conservative) {
+      using B = LoadRows<R, NoRows, NoRows, U>;
+      return PointRows<F, Value, B>{f, a, {load(2), {}, {}, {tangent.from(15)}}};
+    } else {
+      using B = LoadRows<R, R, NoRows, R>;
+      return PointRows<F, Value, B>{f, a, {load(2), row(15), {}, row(24)}};
+    }
+  }
+}
 
 template <class P, class Number>
 HALFWAY_INLINE void put_product(const kernel::MomentLoads<kernel::Dual<P>>& l, const Job<Number>& job,

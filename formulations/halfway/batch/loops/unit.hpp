@@ -134,15 +134,15 @@ HALFWAY_INLINE void loads_at(const K& k, const Job<Number>& job, long i, Out& ou
 }
 
 /// Residual, with or without its tangent.
-template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number>
+template <class K, Kind kind, bool with_tangent, Kept kept, Loop loop, class P, class Number>
 void evaluate(const Job<Number>& call) {
   if constexpr (loop == Loop::lean && kind == Kind::linear_angular && with_tangent && kSparesCoupling<K>) {
-    if (uncoupled(call)) return evaluate<K, kind, with_tangent, Loop::block_diagonal, P>(call);
+    if (uncoupled(call)) return evaluate<K, kind, with_tangent, kept, Loop::block_diagonal, P>(call);
   }
   const Job<Number> job = call;  // what is stored to a table cannot change it
   const K k = kernel_of<K>(job);
   for (long i = 0; i < job.count; i += P::kLanes) {
-    Rows<kind, Number> out(job, i);
+    auto out = rows_at<kind, kept>(writer(job.loads, i), writer(job.tangent, i));
     loads_at<K, kind, with_tangent, loop, P>(k, job, i, out);
   }
 }
@@ -177,12 +177,14 @@ template <class F, Kind kind, bool lean, class P, class Number>
 constexpr void set_functions(Functions<Number>& f) {
   using K = KernelType<F>;
   if constexpr (std::is_same_v<K, typename Served<K, kind>::By>) {
-    f.residual = evaluate<K, kind, false, Loop::any, P, Number>;
-    f.tangent = evaluate<K, kind, true, Loop::any, P, Number>;
+    f.residual = evaluate<K, kind, false, Kept::all, Loop::any, P, Number>;
+    f.tangent = evaluate<K, kind, true, Kept::all, Loop::any, P, Number>;
     if constexpr (lean) {
-      f.lean_residual = evaluate<K, kind, false, Loop::lean, P, Number>;
-      f.lean_tangent = evaluate<K, kind, true, Loop::lean, P, Number>;
+      f.lean_residual = evaluate<K, kind, false, Kept::all, Loop::lean, P, Number>;
+      f.lean_tangent = evaluate<K, kind, true, Kept::all, Loop::lean, P, Number>;
     }
+    if constexpr (lean && std::is_same_v<Number, double> && kPacked<K, kind> != Kept::all)
+      f.lean_compressed = evaluate<K, kind, true, kPacked<K, kind>, Loop::lean, P, Number>;
     if constexpr (std::is_same_v<Number, double>) f.product = evaluate_product<K, kind, P, Number>;
   }
 }
