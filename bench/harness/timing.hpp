@@ -18,7 +18,7 @@ struct Label {
   std::string what;  ///< residual, residual_tangent, product (J v), equilibrium_newton, equilibrium_gsl
   std::string implementation = "reference";  ///< reference (Eigen transcription), kernel, batch, competitor
   std::string precision = "double";          ///< double, float
-  std::string isa;                           ///< instruction set of a batch: sse2, avx2, avx512
+  std::string isa;                           ///< instruction set of a batch: sse2, avx2, avx2vl, avx512
   std::string variant;  ///< approximation or extra of a kernel, e.g. order_2, log_10, compensated
   std::string method;   ///< of the tangent: analytic, dual, complex_step, forward, central, ...
   int joints = 0;       ///< in one call of a batch

@@ -10,9 +10,7 @@ Cases batch_cases();
 
 namespace {
 
-using batch::Isa, batch::Output;
-
-constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
+using batch::Isa, batch::kIsas, batch::Output;
 
 std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind kind, bool ends) {
   const double xi = reference::find_formulation(formulation)->probe_xi;

@@ -39,12 +39,20 @@ const detail::Functions<T>& functions(const detail::Unit& unit, Kind kind) {
     return unit.in_float[int(kind)];
 }
 
+/// What becomes of a loop's results, stored past the caches or not; nullptr: nothing, they are in their
+/// tables.
 template <class T>
-const detail::Spreading<T>& spreading(Isa isa) {
-  if constexpr (std::is_same_v<T, double>)
-    return detail::spreadings(isa)->in_double;
-  else
-    return detail::spreadings(isa)->in_float;
+detail::Spread<T> spread(Isa isa, Output output, int rows, bool past_caches) {
+  const detail::Spreadings& all = *detail::spreadings(isa);
+  const detail::Spreading<T>* s;
+  if constexpr (std::is_same_v<T, double>) {
+    if (output == Output::compressed) return all.compressing(rows).compress;
+    s = &all.in_double;
+  } else {
+    s = &all.in_float;
+  }
+  if (output == Output::tangent_144) return past_caches ? s->all_entries_streamed : s->all_entries;
+  return output == Output::tangent && past_caches ? s->streamed : nullptr;
 }
 
 template <class T>
@@ -112,14 +120,15 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
                                 (sizeof(T) == 4 ? "float" : "double") +
                                 ": this output is not built for the instruction sets in use");
   }
-  const int lanes = (16 << int(c.isa)) / int(sizeof(T));
   const auto f = leanest(*c.functions, output, model_.law, joints);
-  const bool compressed = output == Output::compressed;
-  const int rows = compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
-  const bool compressing = compressed && f == c.functions->lean_compressed;
-  detail::run(
-      detail::Work<T>{model_, joints, results, output, f, spreading<T>(c.isa), lanes, rows, compressing},
-      options);
+  const int rows = output == Output::compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
+  const bool direct = output == Output::compressed && f == c.functions->lean_compressed;
+  const auto spread_by = [&](bool past_caches) {
+    return direct ? nullptr : spread<T>(c.isa, output, rows, past_caches);
+  };
+  detail::run(detail::Work<T>{model_, joints, results, output, f, spread_by(false), spread_by(true),
+                              bytes(c.isa) / int(sizeof(T)), rows},
+              options);
 }
 
 namespace {
@@ -141,16 +150,15 @@ detail::Unpacking unpacking(const Joints<double>& j, const Results<double>& r, i
 void Batch::expand(const Joints<double>& joints, const Results<double>& compressed,
                    const Columns<double>& tangent, Output output) const {
   const int rows = compressed_rows(model_);
-  const auto& s = spreading<double>(widest_);
-  (output == Output::tangent_144 ? s.expand_all : s.expand)[detail::compressed_form(rows)](
-      unpacking(joints, compressed, rows, tangent));
+  const detail::Compressing& form = detail::spreadings(widest_)->compressing(rows);
+  (output == Output::tangent_144 ? form.expand_all
+                                 : form.expand)(unpacking(joints, compressed, rows, tangent));
 }
 
 void Batch::multiply(const Joints<double>& joints, const Results<double>& compressed,
                      const Columns<double>& product) const {
   const int rows = compressed_rows(model_);
-  spreading<double>(widest_).multiply[detail::compressed_form(rows)](
-      unpacking(joints, compressed, rows, product));
+  detail::spreadings(widest_)->compressing(rows).multiply(unpacking(joints, compressed, rows, product));
 }
 
 template bool Batch::has<double>(Output) const;

@@ -5,6 +5,7 @@
 #include "halfway/batch/loops/job.hpp"
 #include "halfway/joint/pose.hpp"
 
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -12,15 +13,13 @@ namespace halfway::batch::detail {
 
 struct Entry {
   std::string_view name;
-  const void* kernel;     ///< identity of its own kernel
-  const void* served[3];  ///< identity of the kernel that serves it, by kind
-  const Unit* units[3];   ///< by instruction set; nullptr: not built
+  const void* kernel;                   ///< identity of its own kernel
+  const void* served[3];                ///< identity of the kernel that serves it, by kind
+  const Unit* units[std::size(kIsas)];  ///< by instruction set; nullptr: not built
   bool needs_xi;
   int compressed[3];  ///< Batch::compressed_rows(), by kind
 };
 
-/// Which of the forms of Spreading has that many rows.
-constexpr int compressed_form(int rows) { return rows == 9 ? 0 : rows == 33 ? 1 : 2; }
 template <class T>
 constexpr Place<T> blocks(T* first, int rows) {
   return {first, 8, rows, 8};

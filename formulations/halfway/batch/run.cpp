@@ -51,25 +51,22 @@ Place<T> table(const Columns<T>& c) {
   return {c.first, c.stride};
 }
 
+/// All joints.
 template <class T>
-Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
-  const Joints<T>& j = w.joints;
-  Job<T> job;
-  job.count = r.end - r.begin;
-  job.q_a = moved(j.q_a, r.begin), job.q_b = moved(j.q_b, r.begin);
-  job.x_a = moved(j.x_a, r.begin), job.x_b = moved(j.x_b, r.begin);
-  job.direction = moved(j.direction, r.begin);
-  job.law = shared != nullptr ? Columns<const T>{shared->numbers, w.lanes} : moved(j.law, r.begin);
-  job.law_step = shared != nullptr ? 0 : 1;
-  job.polynomial = w.model.law == LawForm::polynomial;
+Job<T> job_of(const Work<T>& w, const LawCopies<T>* shared) {
   static constexpr BatchEnd<T> kAtTheNode{};
+  const Joints<T>& j = w.joints;
   const bool ends = j.a != nullptr && j.b != nullptr;
+  Job<T> job{.count = j.count, .q_a = j.q_a, .q_b = j.q_b, .x_a = j.x_a, .x_b = j.x_b, .law = j.law};
+  job.direction = j.direction;
+  job.law_step = shared != nullptr ? 0 : 1;
+  if (shared != nullptr) job.law = {shared->numbers, w.lanes};
+  job.polynomial = w.model.law == LawForm::polynomial;
   job.a = ends ? j.a : &kAtTheNode, job.b = ends ? j.b : &kAtTheNode;
   job.xi = w.model.xi.value_or(0.5);
-  const bool compressed = w.output == Output::compressed;
-  job.loads = moved(table(w.results.loads), r.begin);
-  job.tangent =
-      moved(compressed ? blocks(w.results.tangent.first, w.tangent_rows) : table(w.results.tangent), r.begin);
+  job.loads = table(w.results.loads);
+  job.tangent = w.output == Output::compressed ? blocks(w.results.tangent.first, w.tangent_rows)
+                                               : table(w.results.tangent);
   return job;
 }
 
@@ -84,19 +81,9 @@ Job<T> part_of(const Job<T>& whole, long begin, long count) {
   return job;
 }
 
-/// nullptr: the loops write to the tables themselves.
-template <class T>
-typename Spreading<T>::Function spread_of(const Work<T>& w, bool past_caches) {
-  if (w.output == Output::compressed)
-    return w.compressing ? nullptr : w.spreading.compressed[compressed_form(w.tangent_rows)];
-  if (w.output == Output::tangent_144)
-    return past_caches ? w.spreading.all_entries_streamed : w.spreading.all_entries;
-  return past_caches ? w.spreading.streamed : nullptr;
-}
-
 /// Whole packs, their results by way of blocks that stay in the nearest cache.
 template <class T>
-void run_in_blocks(const Work<T>& w, const Job<T>& job, typename Spreading<T>::Function spread) {
+void run_in_blocks(const Work<T>& w, const Job<T>& job, Spread<T> spread) {
   constexpr long kPacks = 4;
   alignas(64) T numbers[kPacks * (64 / sizeof(T)) * kMaxBlockRows];
   const Kind kind = w.model.kind;
@@ -115,7 +102,7 @@ void run_in_blocks(const Work<T>& w, const Job<T>& job, typename Spreading<T>::F
 
 template <class T>
 void run_packs(const Work<T>& w, const Job<T>& job, bool past_caches) {
-  if (const auto spread = spread_of(w, past_caches))
+  if (const Spread<T> spread = past_caches ? w.streamed : w.spread)
     run_in_blocks(w, job, spread);
   else
     w.function(job);
@@ -176,14 +163,14 @@ void end_of_streaming() {
 }
 
 template <class T>
-void run_range(const Work<T>& w, Range r, const LawCopies<T>* shared, bool past_caches) {
+void run_range(const Work<T>& w, Range r, const Job<T>& all, bool past_caches) {
   const long whole = (r.end - r.begin) / w.lanes * w.lanes;
   if (whole > 0) {
-    run_packs(w, job_of(w, {r.begin, r.begin + whole}, shared), past_caches);
+    run_packs(w, part_of(all, r.begin, whole), past_caches);
     if (past_caches) end_of_streaming();
   }
   if (r.begin + whole < r.end) {
-    const Job<T> rest = job_of(w, {r.begin + whole, r.end}, shared);
+    const Job<T> rest = part_of(all, r.begin + whole, r.end - r.begin - whole);
     Tail<T>(w, rest).run();
   }
 }
@@ -228,15 +215,15 @@ template <class T>
 void run(const Work<T>& work, const Options& options) {
   std::optional<LawCopies<T>> copies;
   if (!work.joints.law_per_joint) copies.emplace(work);
-  const LawCopies<T>* const shared = copies ? &*copies : nullptr;
+  const Job<T> all = job_of(work, copies ? &*copies : nullptr);
   const bool streamed = past_caches(work, options.streaming);
-  if (options.threads <= 1) return run_range(work, {0, work.joints.count}, shared, streamed);
-  const std::vector<Range> parts = shares(work.joints.count, options.threads);
+  if (options.threads <= 1) return run_range(work, {0, all.count}, all, streamed);
+  const std::vector<Range> parts = shares(all.count, options.threads);
   std::vector<std::jthread> others;
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    others.emplace_back([&, k] { run_range(work, parts[k], shared, streamed); });
+    others.emplace_back([&, k] { run_range(work, parts[k], all, streamed); });
   }
-  if (!parts.empty()) run_range(work, parts[0], shared, streamed);
+  if (!parts.empty()) run_range(work, parts[0], all, streamed);
 }
 
 template void run(const Work<double>&, const Options&);

@@ -12,10 +12,9 @@ struct Work {
   const Results<T>& results;
   Output output;
   Evaluate<T> function;
-  const Spreading<T>& spreading;
-  int lanes;         ///< joints in one pack
-  int tangent_rows;  ///< of the output
-  bool compressing;  ///< does the function keep what compressed tangents keep?
+  Spread<T> spread, streamed;  ///< nullptr: the function writes to the tables itself
+  int lanes;                   ///< joints in one pack
+  int tangent_rows;            ///< of the output
 };
 
 template <class T>

@@ -38,7 +38,7 @@ const IMPLEMENTATION = {reference: 'transcription'};
 /** @param {string} key */
 export const implementationLabel = (key) => IMPLEMENTATION[key] ?? key;
 export const whatLabel = (key) => WHAT[key] ?? key.replaceAll('_', ' ');
-const ISA = {sse2: 'SSE2', avx2: 'AVX2', avx512: 'AVX-512', scalar: 'scalar'};
+const ISA = {sse2: 'SSE2', avx2: 'AVX2', avx2vl: 'AVX2 in 32 registers', avx512: 'AVX-512', scalar: 'scalar'};
 export const isaLabel = (key) => ISA[key] ?? key;
 export const ISAS = Object.keys(ISA);
 

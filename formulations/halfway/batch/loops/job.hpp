@@ -40,12 +40,12 @@ struct Place {
 template <class T>
 struct Job {
   long count = 0;
-  Columns<const T> q_a, q_b, x_a, x_b, law, direction;
+  Columns<const T> q_a{}, q_b{}, x_a{}, x_b{}, law{}, direction{};
   long law_step = 0;  ///< joints' law numbers follow one another: 1; shared, one pack of copies: 0
   bool polynomial = false;
   const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< read by the loops for any joints: both
   double xi = 0.5;
-  Place<T> loads, tangent;
+  Place<T> loads{}, tangent{};
 };
 
 template <class T>
@@ -76,18 +76,28 @@ struct Unpacking {
   Place<double> out;
 };
 
-/// What becomes of blocks whose tables a loop does not write itself. Compressed tangents are of an angular
-/// joint, in general, or of a potential.
+/// What becomes of blocks whose tables a loop does not write itself.
+template <class T>
+using Spread = void (*)(const Block<T>&);
 template <class T>
 struct Spreading {
-  using Function = void (*)(const Block<T>&);
-  using Unpack = void (*)(const Unpacking&);
-  Function streamed, all_entries, all_entries_streamed, compressed[3];
-  Unpack expand[3], expand_all[3], multiply[3];
+  Spread<T> streamed, all_entries, all_entries_streamed;
+};
+/// Of one form of compressed tangents.
+struct Compressing {
+  Spread<double> compress;
+  void (*expand)(const Unpacking&);
+  void (*expand_all)(const Unpacking&);
+  void (*multiply)(const Unpacking&);
 };
 struct Spreadings {
   Spreading<double> in_double;
   Spreading<float> in_float;
+  Compressing angular, general, conservative;
+
+  constexpr const Compressing& compressing(int rows) const {
+    return rows == 9 ? angular : rows == 33 ? general : conservative;
+  }
 };
 
 /// One formulation in one instruction set, by kind. Constant data: asking for it runs no instruction

@@ -117,19 +117,24 @@ HALFWAY_INLINE auto rows_at(const W& loads, const W& tangent) {
   }
 }
 
-template <class P, class Number>
-HALFWAY_INLINE void put_product(const kernel::MomentLoads<kernel::Dual<P>>& l, const Job<Number>& job,
-                                long i) {
-  writer(job.loads, i).vector(0, value(l.m));
-  writer(job.tangent, i).vector(0, derivative(l.m));
-}
-template <class P, class Number>
-HALFWAY_INLINE void put_product(const kernel::PointLoads<kernel::Dual<P>>& l, const Job<Number>& job,
-                                long i) {
-  const auto loads = writer(job.loads, i), product = writer(job.tangent, i);
-  loads.vector(0, value(l.f.value)), loads.vector(3, value(l.a.value)), loads.vector(6, value(l.b.value));
-  product.vector(0, derivative(l.f.value)), product.vector(3, derivative(l.a.value));
-  product.vector(6, derivative(l.b.value));
+/// A vector of dual numbers: values to one place, derivatives to another. Nothing has a tangent.
+template <class W>
+struct DualRows {
+  W values, derivatives;
+  template <class P>
+  HALFWAY_INLINE void operator=(const kernel::V3<kernel::Dual<P>>& v) const {
+    values.vector(0, value(v)), derivatives.vector(0, derivative(v));
+  }
+};
+template <Kind kind, class W>
+HALFWAY_INLINE auto product_rows_at(const W& loads, const W& product) {
+  using D = DualRows<W>;
+  using L = LoadRows<D, NoRows, NoRows, NoRows>;
+  const auto at = [&](int row) HALFWAY_INLINE_LAMBDA { return D{loads.from(row), product.from(row)}; };
+  if constexpr (kind == Kind::angular)
+    return MomentRows<D, NoRows, NoRows>{at(0), {}, {}};
+  else
+    return PointRows<L, L, L>{{at(0), {}, {}, {}}, {at(3), {}, {}, {}}, {at(6), {}, {}, {}}};
 }
 
 }  // namespace halfway::batch::detail

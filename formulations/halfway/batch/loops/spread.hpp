@@ -157,26 +157,21 @@ void multiply(const Unpacking& u) {
   });
 }
 
-template <class Isa, class Number>
+template <class P, class Number>
 constexpr Spreading<Number> make_spreading() {
-  using P = Pack<Number, Isa>;
-  constexpr Kind angular = Kind::angular, linear = Kind::linear;
-  constexpr Kept general = Kept::general, conservative = Kept::conservative;
-  Spreading<Number> s{
-      stream_rows<P, Number>, put_all<false, P, Number>, put_all<true, P, Number>, {}, {}, {}, {}};
-  if constexpr (std::is_same_v<Number, double>) {
-    return {s.streamed,
-            s.all_entries,
-            s.all_entries_streamed,
-            {compress<angular, general, P, double>, compress<linear, general, P, double>,
-             compress<linear, conservative, P, double>},
-            {expand<angular, general, false, Isa>, expand<linear, general, false, Isa>,
-             expand<linear, conservative, false, Isa>},
-            {nullptr, expand<linear, general, true, Isa>, expand<linear, conservative, true, Isa>},
-            {multiply<angular, general, Isa>, multiply<linear, general, Isa>,
-             multiply<linear, conservative, Isa>}};
-  }
-  return s;
+  return {stream_rows<P, Number>, put_all<false, P, Number>, put_all<true, P, Number>};
+}
+template <Kind kind, Kept kept, class Isa>
+constexpr Compressing make_compressing() {
+  return {compress<kind, kept, Pack<double, Isa>, double>, expand<kind, kept, false, Isa>,
+          expand<kind, kept, kind != Kind::angular, Isa>, multiply<kind, kept, Isa>};
+}
+template <class Isa>
+constexpr Spreadings make_spreadings() {
+  return {make_spreading<Pack<double, Isa>, double>(), make_spreading<Pack<float, Isa>, float>(),
+          make_compressing<Kind::angular, Kept::general, Isa>(),
+          make_compressing<Kind::linear, Kept::general, Isa>(),
+          make_compressing<Kind::linear, Kept::conservative, Isa>()};
 }
 
 }  // namespace halfway::batch::detail

@@ -164,11 +164,10 @@ void evaluate_product(const Job<Number>& call) {
       D = kernel::dual(distance_at<kind, P>(job.x_a, job.x_b, i),
                        vector_at<P>(job.direction, 6, i) - vector_at<P>(job.direction, 0, i));
     }
-    std::conditional_t<kAngular, kernel::MomentLoads<T>, kernel::PointLoads<T>> out;
+    auto out = product_rows_at<kind>(writer(job.loads, i), writer(job.tangent, i));
     loads_between<K, kind, kernel::Along<ExactAngle>, false, true, P>(
         k, along, moved(quaternion_at<P>(job.q_a, i), w_a), moved(quaternion_at<P>(job.q_b, i), w_b), D, job,
         out);
-    put_product(out, job, i);
   }
 }
 

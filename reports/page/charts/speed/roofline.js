@@ -12,6 +12,7 @@ const HUES = {
   scalar: 'var(--muted)',
   sse2: HUE.green,
   avx2: HUE.gold,
+  avx2vl: HUE.sky,
   avx512: HUE.blue
 };
 const SHAPES = {
