@@ -32,6 +32,7 @@ export const WHAT = {
   residual: 'without tangent',
   residual_tangent: 'with tangent',
   residual_tangent_144: 'with tangent, 144 entries',
+  residual_compressed: 'with compressed tangent',
   product: 'product J v'
 };
 const IMPLEMENTATION = {reference: 'transcription'};

@@ -12,6 +12,7 @@ const HUES = {
   residual: HUE.blue,
   residual_tangent: HUE.vermilion,
   residual_tangent_144: HUE.magenta,
+  residual_compressed: HUE.sky,
   product: HUE.green
 };
 const OTHER = [HUE.gold, HUE.sky, HUE.violet];
