@@ -209,9 +209,10 @@ export function rooflineFigure(results) {
       'figcaption',
       {},
       'Flops are counted per evaluation, peaks and bandwidths measured in the same process, one ' +
-        'thread. Of ports: the shortest time of the multiplications, alone or fused with a sum, over the time; the ' +
-        'peak, of multiply-adds alone, no joint can reach. Multiplications count as written: where a compiler finds ' +
-        'two to be one, the share looks larger. Limit: the least of the peak of the instruction set and the largest bandwidth of ' +
+        'thread. Of ports: the shortest time of the multiplications, alone or fused with a sum, over ' +
+        'the time; the peak, of multiply-adds alone, no joint can reach. Multiplications count as ' +
+        'written: where a compiler finds two to be one, the share looks larger. Limit: the least of the ' +
+        'peak of the instruction set and the largest bandwidth of ' +
         'the cache, or of the memory, times flops per byte. ',
       speed.peaks.length ? '' : 'No peak was measured in this run.'
     ),
