@@ -22,6 +22,7 @@ struct Checked {
 struct Case : Label {
   int evaluations = 1;                           ///< in one iteration of the timed loop
   double flops = 0;                              ///< of one evaluation, counted
+  double products = 0;                           ///< multiplications among them
   double bytes = 0;                              ///< read and written by one evaluation
   bool wall_time = false;                        ///< and not CPU time: several threads share the work
   std::function<Checked()> check;                ///< run once, before the first timing

@@ -9,7 +9,11 @@
 
 namespace halfway::bench {
 
-/// invariant/angular/residual, .../kernel, .../kernel/order_1, .../kernel/no_ends: flops of one evaluation.
+/// Of multiplications alone.
+inline constexpr const char* kProducts = "/products";
+
+/// invariant/angular/residual, .../kernel, .../kernel/order_1, .../kernel/no_ends: flops of one evaluation;
+/// .../no_ends/products: how many of them multiply.
 using Flops = std::map<std::string, double>;
 
 /// The kept numbers. Throws std::runtime_error that names the file and what is wrong with it.

@@ -75,7 +75,7 @@ class Collector : public benchmark::BenchmarkReporter {
     const Case& c = *cases_.at(runs.front().run_name.function_name);
     Timing timing;
     static_cast<Label&>(timing) = c;
-    timing.flops = c.flops, timing.bytes = c.bytes;
+    timing.flops = c.flops, timing.products = c.products, timing.bytes = c.bytes;
     timing.error = checked(c).error, timing.errors = c.errors ? c.errors() : checked(c).errors;
     std::vector<double> times;
     for (const Run& run : runs) {

@@ -18,7 +18,7 @@ struct Label {
   std::string what;  ///< residual, residual_tangent, product (J v), equilibrium_newton, equilibrium_gsl
   std::string implementation = "reference";  ///< reference (Eigen transcription), kernel, batch, competitor
   std::string precision = "double";          ///< double, float
-  std::string isa;                           ///< instruction set of a batch: sse2, avx2, avx512
+  std::string isa;                           ///< instruction set of a batch: sse2, avx2, avx2vl, avx512
   std::string variant;  ///< approximation or extra of a kernel, e.g. order_2, log_10, compensated
   std::string method;   ///< of the tangent: analytic, dual, complex_step, forward, central, ...
   int joints = 0;       ///< in one call of a batch
@@ -39,10 +39,19 @@ struct Timing : Label {
   ///< worst error against 50 digits over the timed poses, relative to |K||strain|
   std::vector<ErrorAt> errors;  ///< the same by decade of phi, where the case measures it
   double flops = 0;             ///< of one evaluation, counted; 0: not counted
+  double products = 0;          ///< multiplications among them
   double bytes = 0;             ///< read and written by one evaluation
   bool wrong = false;           ///< the check failed: there is no time
   std::string message;
 };
+
+/// Units that multiply do one multiply-add or one product at a time, and the peak is of multiply-adds alone:
+/// the shortest time of so many products over the time they took. A compiler that finds some of them to be
+/// one makes it look larger; stores, additions and divisions go elsewhere. NaN: nothing was counted.
+inline double share_of_ports(const Timing& t, const Peak& peak) {
+  return t.products > 0 ? 2 * t.products / peak.flops_per_ns / t.ns
+                        : std::numeric_limits<double>::quiet_NaN();
+}
 
 struct Context {
   std::string machine, compiler, flags, commit, date, build_type;

@@ -36,18 +36,25 @@ std::string share(const bench::Peaks& peaks, const bench::Timing& t) {
   return "";
 }
 
+std::string of_ports(const bench::Peaks& peaks, const bench::Timing& t) {
+  for (const auto& p : peaks)
+    if (p.isa == t.isa && p.precision == t.precision && t.products > 0)
+      return fmt::format("{:.0f}%", 100 * bench::share_of_ports(t, p));
+  return "";
+}
+
 void print_table(const bench::Run& run) {
   print(fmt::format("{}; {}; {}; commit {}\n", run.context.machine, run.context.compiler, run.context.flags,
                     run.context.commit));
-  print(fmt::format("{:<58} {:>10} {:>7} {:>11} {:>9} {:>8} {:>8}\n", "benchmark", "ns (CPU)", "spread",
-                    "worst error", "flops", "of peak", "gain"));
+  print(fmt::format("{:<58} {:>10} {:>7} {:>11} {:>9} {:>8} {:>8} {:>8}\n", "benchmark", "ns (CPU)", "spread",
+                    "worst error", "flops", "of peak", "of ports", "gain"));
   for (const auto& t : run.timings) {
     if (t.wrong)
       print(fmt::format("{:<58} not timed: {}\n", t.name, t.message));
     else
-      print(fmt::format("{:<58} {:>10.1f} {:>6.1f}% {:>11.2g} {:>9} {:>8} {:>8}\n", t.name, t.ns,
+      print(fmt::format("{:<58} {:>10.1f} {:>6.1f}% {:>11.2g} {:>9} {:>8} {:>8} {:>8}\n", t.name, t.ns,
                         100 * t.spread, t.error, t.flops > 0 ? fmt::format("{:.0f}", t.flops) : "",
-                        share(run.peaks, t), gain(run, t)));
+                        share(run.peaks, t), of_ports(run.peaks, t), gain(run, t)));
   }
 }
 

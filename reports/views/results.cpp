@@ -55,6 +55,7 @@ static void to_json(nlohmann::json& json, const Timing& timing) {
           {"error", timing.error},
           {"errors", timing.errors},
           {"flops", timing.flops},
+          {"products", timing.products},
           {"bytes", timing.bytes},
           {"wrong", timing.wrong},
           {"message", timing.message}};

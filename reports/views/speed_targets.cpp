@@ -87,6 +87,49 @@ class Table {
          limit, true, ""});
   }
 
+  /// Against what the units that multiply can do; see share_of_ports.
+  void ports(const std::string& kind, const std::string& what, double limit) {
+    const Timing* t = in_cache("invariant", kind, what);
+    const auto p = std::ranges::find_if(
+        peaks_, [&](const bench::Peak& at) { return at.isa == best_isa() && at.precision == "double"; });
+    add({fmt::format("{} invariant {}: share of the {} ports that multiply", label(kind), words(what),
+                     best_isa()),
+         t && p != peaks_.end() ? bench::share_of_ports(*t, *p) : kMissing, limit, true, ""});
+  }
+
+  /// The cheapest law without a defect, with tangent; ns.
+  void cheapest(const std::string& kind, double limit) {
+    const Timing* t = in_cache("fasse", kind, "residual_tangent");
+    add({fmt::format("{} fasse with tangent, {} batch, ns", label(kind), best_isa()), t ? t->ns : kMissing,
+         limit, false, ""});
+  }
+  void cheapest_kernel(double limit) {
+    const Timing* t = find(timings_, {"fasse", "angular", "residual_tangent", "kernel", "no_ends"});
+    add({"angular fasse with tangent, kernel without ends, ns", t ? t->ns : kMissing, limit, false, ""});
+  }
+
+  void compressed(const std::string& kind, double limit) {
+    const Timing* t = in_cache("invariant", kind, "residual_compressed", kMany);
+    add({fmt::format("{} invariant with compressed tangent, {} joints, ns", label(kind), kMany),
+         t ? t->ns : kMissing, limit, false, ""});
+  }
+
+  /// Where the machine has both.
+  void registers(const std::string& kind, double limit) {
+    const auto pick = [&](const char* isa) {
+      return Pick{.formulation = "potential",
+                  .kind = kind,
+                  .what = "residual_tangent",
+                  .implementation = "batch",
+                  .variant = "no_ends",
+                  .isa = isa,
+                  .joints = kInCache};
+    };
+    if (find(timings_, pick("avx2vl")) == nullptr) return;
+    add({fmt::format("{} potential with tangent: AVX2 in 16 registers / in 32", label(kind)),
+         ratio(timings_, pick("avx2"), pick("avx2vl")), limit, true, ""});
+  }
+
   void threads() {
     const Pick one{.formulation = "invariant",
                    .kind = "angular",
@@ -114,6 +157,16 @@ class Table {
   static constexpr int kInCache = 256, kMany = 100000;
 
  private:
+  const Timing* in_cache(const std::string& formulation, const std::string& kind, const std::string& what,
+                         int joints = kInCache) const {
+    return find(timings_, {.formulation = formulation,
+                           .kind = kind,
+                           .what = what,
+                           .implementation = "batch",
+                           .variant = "no_ends",
+                           .isa = best_isa(),
+                           .joints = joints});
+  }
   static std::string label(const std::string& kind) {
     return kind == "linear_angular" ? "linear/angular" : kind;
   }
@@ -161,6 +214,12 @@ std::vector<Target> speed_targets(const std::vector<Timing>& timings, const benc
       table.peak("intrinsic", kind, what, 0.5);
     }
   }
+  for (const char* kind : {"angular", "linear", "linear_angular"}) {
+    table.ports(kind, "residual", 0.75), table.ports(kind, "residual_tangent", 0.65);
+  }
+  table.cheapest_kernel(20), table.cheapest("angular", 4), table.cheapest("linear_angular", 18);
+  table.compressed("linear", 20);
+  table.registers("angular", 1.1), table.registers("linear_angular", 1.1);
   table.threads();
   table.statics();
   return table.take();

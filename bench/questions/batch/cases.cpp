@@ -10,9 +10,7 @@ Cases batch_cases();
 
 namespace {
 
-using batch::Isa, batch::Output;
-
-constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx512};
+using batch::Isa, batch::kIsas, batch::Output;
 
 std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind kind, bool ends) {
   const double xi = reference::find_formulation(formulation)->probe_xi;
@@ -20,18 +18,21 @@ std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind ki
 }
 
 /// A lane does what the kernel of one joint does. The batch's own dual numbers (J v) are not counted, nor is
-/// what a law without coupling spares.
-double batch_flops(const BatchProblem& p) {
-  if (p.output == Output::product || p.block_diagonal) return 0;
+/// what a law without coupling or a compressed tangent spares.
+void add_flops(Case& c, const BatchProblem& p) {
+  if (p.output == Output::product || p.output == Output::compressed || p.block_diagonal) return;
   const char* what = p.output == Output::residual ? "/residual/kernel" : "/residual_tangent/kernel";
-  return kept_flops(p.formulation + '/' + to_string(p.in->spec.kind) + what + (p.ends ? "" : "/no_ends"));
+  const std::string name =
+      p.formulation + '/' + to_string(p.in->spec.kind) + what + (p.ends ? "" : "/no_ends");
+  c.flops = kept_flops(name);
+  if (!p.ends) c.products = kept_flops(name + kProducts);
 }
 
 template <class T>
 void add(Cases& cases, const BatchProblem& p) {
   if (!can_run<T>(p)) return;
   cases.push_back(batch_case<T>(p));
-  cases.back().flops = batch_flops(p);
+  add_flops(cases.back(), p);
 }
 
 /// Tables in L1 and L2; joints without ends, as the kernels' variant of that name.
@@ -45,6 +46,7 @@ void add_by_isa(Cases& cases, const std::string& formulation, Kind kind) {
     }
   }
   add<double>(cases, {in, formulation, batch::choose({}), Output::product, kPoses});
+  add<double>(cases, {in, formulation, batch::choose({}), Output::compressed, kPoses});
   if (kind != Kind::angular)
     add<double>(cases, {in, formulation, batch::choose({}), Output::tangent_144, kPoses});
 }
@@ -57,6 +59,24 @@ void add_block_diagonal(Cases& cases) {
     p.block_diagonal = true;
     add<double>(cases, p);
     add<float>(cases, p);
+  }
+}
+
+/// The same packs in 16 registers and in 32, of a formulation that has no AVX-512 code.
+void add_by_registers(Cases& cases) {
+  for (const Kind kind : {Kind::angular, Kind::linear_angular}) {
+    const auto in = inputs_for("potential", kind, false);
+    for (const Isa isa : {Isa::avx2, Isa::avx2vl})
+      add<double>(cases, {in, "potential", isa, Output::tangent, kPoses});
+  }
+}
+
+/// Whole and compressed, from memory.
+void add_compressed(Cases& cases) {
+  for (const Kind kind : {Kind::angular, Kind::linear, Kind::linear_angular}) {
+    const auto in = inputs_for("invariant", kind, false);
+    for (const Output output : {Output::tangent, Output::compressed})
+      add<double>(cases, {in, "invariant", batch::choose({}), output, 100000});
   }
 }
 
@@ -89,7 +109,7 @@ Cases batch_cases() {
     add_by_isa(cases, std::string(entry.name), Kind::linear);
   }
   for (const char* name : {"attached_a", "invariant", "fasse"}) add_by_isa(cases, name, Kind::linear_angular);
-  add_block_diagonal(cases);
+  add_block_diagonal(cases), add_by_registers(cases), add_compressed(cases);
   // What joint points and frames apart from the nodes cost.
   for (const Kind kind : {Kind::angular, Kind::linear, Kind::linear_angular}) {
     BatchProblem p{

@@ -37,6 +37,8 @@ const char* what(Output output) {
       return "residual_tangent";
     case Output::tangent_144:
       return "residual_tangent_144";
+    case Output::compressed:
+      return "residual_compressed";
     default:
       return "product";
   }
@@ -58,6 +60,7 @@ template <class T>
 Checked check(const BatchProblem& p) {
   const BatchData<T> data(p);
   data.evaluate();
+  if (p.output == Output::compressed) data.expand();
   std::vector<Evaluated> values;
   for (long i = 0; i < std::min<long>(p.joints, kPoses); i += kChecked) values.push_back(data.at(i));
   const Tolerance tolerance{.eps = double(std::numeric_limits<T>::epsilon())};
@@ -94,6 +97,8 @@ BatchData<T>::BatchData(const BatchProblem& p)
       direction_(p.output == Output::product ? batch::direction_rows(p.in->spec.kind) : 1, p.joints),
       loads_(batch::load_rows(p.in->spec.kind), p.joints),
       tangent_(std::max(1, batch::tangent_rows(p.in->spec.kind, p.output)), p.joints),
+      expanded_(p.output == Output::compressed ? batch::tangent_rows(p.in->spec.kind, Output::tangent) : 1,
+                p.output == Output::compressed ? p.joints : 1),
       a_(end_of<T>(p.in->spec.a)),
       b_(end_of<T>(p.in->spec.b)) {
   for (long i = 0; i < p.joints; ++i) {
@@ -117,17 +122,24 @@ BatchData<T>::BatchData(const BatchProblem& p)
 }
 
 template <class T>
+void BatchData<T>::expand() const {
+  if constexpr (std::is_same_v<T, double>)
+    batch_.expand(joints_, results_, expanded_.columns(), Output::tangent);
+}
+
+template <class T>
 Evaluated BatchData<T>::at(long i) const {
   const auto loads = [&](int row) {
     return Eigen::Vector3d(loads_(row, i), loads_(row + 1, i), loads_(row + 2, i));
   };
   const auto matrix = [&](int row) {
     Eigen::Matrix3d m;
-    for (int k = 0; k < 9; ++k) m(k / 3, k % 3) = double(tangent_(row + k, i));
+    const auto& from = output_ == Output::compressed ? expanded_ : tangent_;
+    for (int k = 0; k < 9; ++k) m(k / 3, k % 3) = double(from(row + k, i));
     return m;
   };
   Evaluated out;
-  const bool with_tangent = output_ == Output::tangent || output_ == Output::tangent_144;
+  const bool with_tangent = output_ != Output::residual && output_ != Output::product;
   if (batch_.model().kind == Kind::angular) {
     out.loads = loads(0);
     if (with_tangent) {
@@ -172,7 +184,7 @@ double BatchData<T>::product_error(const BatchData& with_tangent, long joints) c
 
 template <class T>
 bool BatchData<T>::same(long i, long j) const {
-  for (const batch::Table<T>* t : {&loads_, &tangent_}) {
+  for (const batch::Table<T>* t : {&loads_, output_ == Output::compressed ? &expanded_ : &tangent_}) {
     for (int row = 0; row < t->rows(); ++row) {
       if ((*t)(row, i) != (*t)(row, j)) return false;
     }
@@ -207,7 +219,9 @@ Case batch_case(const BatchProblem& p) {
   const Kind kind = p.in->spec.kind;
   const int read =
       2 * (kind == Kind::angular ? 4 : 7) + (p.output == Output::product ? batch::direction_rows(kind) : 0);
-  c.bytes = (read + batch::load_rows(kind) + batch::tangent_rows(kind, p.output)) * double(sizeof(T));
+  const int rows = p.output == Output::compressed ? batch::Batch::compressed_rows(model_of(p))
+                                                  : batch::tangent_rows(kind, p.output);
+  c.bytes = (read + batch::load_rows(kind) + rows) * double(sizeof(T));
   c.check = [p] { return check<T>(p); };
   // Tables live for the run alone: a million joints are a gigabyte.
   c.timed = [p](benchmark::State& state) {

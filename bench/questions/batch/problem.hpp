@@ -27,6 +27,8 @@ class BatchData {
   explicit BatchData(const BatchProblem& problem);
   /// Allocation and conversion are done: this is the timed call.
   void evaluate() const { batch_.evaluate(joints_, results_, output_, options_); }
+  /// A compressed tangent, for at() and same().
+  void expand() const;
   /// Loads and tangent of joint i; of a product the loads alone.
   Evaluated at(long i) const;
   /// Largest |J v - tangent v| over the first joints, relative to the tangent's largest entry.
@@ -40,7 +42,7 @@ class BatchData {
   batch::Output output_;
   batch::Options options_;
   batch::Table<T> q_a_, q_b_, x_a_, x_b_, law_, direction_;
-  mutable batch::Table<T> loads_, tangent_;
+  mutable batch::Table<T> loads_, tangent_, expanded_;
   batch::BatchEnd<T> a_, b_;
   batch::Joints<T> joints_;
   batch::Results<T> results_;

@@ -29,20 +29,19 @@ double transcription_flops(const Inputs& in) {
 
 /// Of one evaluation of the kernel: it has no branches, one pose tells all.
 template <class F, Kind kind, bool with_tangent, class Accuracy, class E>
-double kernel_flops(const Inputs& in) {
+reference::OperationCount kernel_operations(const Inputs& in) {
   using reference::Counting;
   const auto joint = static_kernel_joint<F, kind, Counting, E>(in.spec);
   const auto cast = [](const reference::QuaternionPose<double>& p) {
     return reference::plain(reference::QuaternionPose<Counting>{p.x.cast<Counting>(), p.q.cast<Counting>()});
   };
   const auto a = cast(in.qa.front()), b = cast(in.qb.front());
-  const auto count = reference::counted([&] {
+  return reference::counted([&] {
     if constexpr (kind == Kind::angular)
       (void)kernel::loads<with_tangent, Accuracy>(joint, a.q, b.q);
     else
       (void)kernel::loads<with_tangent, Accuracy>(joint, a, b);
   });
-  return double(count.flops());
 }
 
 /// The kernel with another accuracy, by the name of its benchmark.
@@ -50,7 +49,10 @@ template <class F, Kind kind, bool with_tangent, class Accuracy, class E>
 void count_kernel(Flops& flops, const Inputs& in, const std::string& variant) {
   const std::string name = std::string(F::name) + '/' + to_string(kind) +
                            (with_tangent ? "/residual_tangent" : "/residual") + "/kernel" + variant;
-  flops[name] = kernel_flops<F, kind, with_tangent, Accuracy, E>(in);
+  const reference::OperationCount count = kernel_operations<F, kind, with_tangent, Accuracy, E>(in);
+  flops[name] = double(count.flops());
+  if constexpr (std::is_same_v<E, kernel::NoEnds>)  // what the lean batches do
+    flops[name + kProducts] = double(count.multiplications);
 }
 
 /// @tparam lean  also of joints without ends: what the lean batches do

@@ -39,6 +39,22 @@ const detail::Functions<T>& functions(const detail::Unit& unit, Kind kind) {
     return unit.in_float[int(kind)];
 }
 
+/// What becomes of a loop's results, stored past the caches or not; nullptr: nothing, they are in their
+/// tables.
+template <class T>
+detail::Spread<T> spread(Isa isa, Output output, int rows, bool past_caches) {
+  const detail::Spreadings& all = *detail::spreadings(isa);
+  const detail::Spreading<T>* s;
+  if constexpr (std::is_same_v<T, double>) {
+    if (output == Output::compressed) return all.compressing(rows).compress;
+    s = &all.in_double;
+  } else {
+    s = &all.in_float;
+  }
+  if (output == Output::tangent_144) return past_caches ? s->all_entries_streamed : s->all_entries;
+  return output == Output::tangent && past_caches ? s->streamed : nullptr;
+}
+
 template <class T>
 detail::Evaluate<T> function(const detail::Functions<T>& f, Output output) {
   return output == Output::residual ? f.residual : output == Output::product ? f.product : f.tangent;
@@ -49,7 +65,9 @@ template <class T>
 detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawForm law,
                             const Joints<T>& joints) {
   const bool lean = law == LawForm::linear && joints.a == nullptr && output != Output::product;
-  const auto twin = output == Output::residual ? f.lean_residual : f.lean_tangent;
+  const auto twin = output == Output::residual     ? f.lean_residual
+                    : output == Output::compressed ? f.lean_compressed
+                                                   : f.lean_tangent;
   return lean && twin != nullptr ? twin : function(f, output);
 }
 
@@ -65,9 +83,15 @@ bool Batch::knows(std::string_view formulation) {
   return std::ranges::any_of(detail::entries(), [&](const Entry& e) { return e.name == formulation; });
 }
 
+int Batch::compressed_rows(const Model& model) {
+  return entry_named(model.formulation).compressed[int(model.kind)];
+}
+
 template <class T>
 Batch::Code<T> Batch::code(Output output) const {
   if (output == Output::tangent_144 && model_.kind == Kind::angular) return {};
+  if (output == Output::compressed && (sizeof(T) != sizeof(double) || compressed_rows(model_) == 0))
+    return {};
   for (int isa = int(widest_); isa >= 0; --isa) {
     const detail::Unit* const unit = served_by_->units[isa];
     if (unit == nullptr) continue;
@@ -96,10 +120,45 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
                                 (sizeof(T) == 4 ? "float" : "double") +
                                 ": this output is not built for the instruction sets in use");
   }
-  const int lanes = (16 << int(c.isa)) / int(sizeof(T));
-  detail::run(detail::Work<T>{model_, joints, results, output,
-                              leanest(*c.functions, output, model_.law, joints), lanes},
+  const auto f = leanest(*c.functions, output, model_.law, joints);
+  const int rows = output == Output::compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
+  const bool direct = output == Output::compressed && f == c.functions->lean_compressed;
+  const auto spread_by = [&](bool past_caches) {
+    return direct ? nullptr : spread<T>(c.isa, output, rows, past_caches);
+  };
+  detail::run(detail::Work<T>{model_, joints, results, output, f, spread_by(false), spread_by(true),
+                              bytes(c.isa) / int(sizeof(T)), rows},
               options);
+}
+
+namespace {
+
+/// Compressed results of a batch; nullptr for what a call does not read.
+detail::Unpacking unpacking(const Joints<double>& j, const Results<double>& r, int rows,
+                            const Columns<double>& out) {
+  return {j.count,
+          j.x_a,
+          j.x_b,
+          j.direction,
+          {r.loads.first, r.loads.stride},
+          detail::blocks<const double>(r.tangent.first, rows),
+          {out.first, out.stride}};
+}
+
+}  // namespace
+
+void Batch::expand(const Joints<double>& joints, const Results<double>& compressed,
+                   const Columns<double>& tangent, Output output) const {
+  const int rows = compressed_rows(model_);
+  const detail::Compressing& form = detail::spreadings(widest_)->compressing(rows);
+  (output == Output::tangent_144 ? form.expand_all
+                                 : form.expand)(unpacking(joints, compressed, rows, tangent));
+}
+
+void Batch::multiply(const Joints<double>& joints, const Results<double>& compressed,
+                     const Columns<double>& product) const {
+  const int rows = compressed_rows(model_);
+  detail::spreadings(widest_)->compressing(rows).multiply(unpacking(joints, compressed, rows, product));
 }
 
 template bool Batch::has<double>(Output) const;

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "halfway/batch/isa.hpp"
-#include "halfway/batch/job.hpp"
+#include "halfway/batch/loops/job.hpp"
 #include "halfway/joint/pose.hpp"
 
 #include <optional>
@@ -32,7 +32,8 @@ enum class Output {
   residual,     ///< loads alone
   tangent,      ///< and the distinct entries of the tangent, see tangent_rows
   tangent_144,  ///< and all 12 x 12 by rows, loads (f_a, m_a, f_b, m_b) by (x_a, w_a, x_b, w_b); not angular
-  product  ///< loads, and their derivative along Joints::direction in the rows of the tangent; double only
+  product,    ///< loads, and their derivative along Joints::direction in the rows of the tangent; double only
+  compressed  ///< and what the tangent follows from, compressed_rows() numbers in blocks; double only
 };
 
 struct Model {
@@ -57,9 +58,16 @@ constexpr int tangent_rows(Kind kind, Output output) {
       return kind == Kind::angular ? 18 : 81;
     case Output::tangent_144:
       return 144;
+    case Output::compressed:
+      return 33;  // at most: Batch::compressed_rows()
     default:
       return load_rows(kind);
   }
+}
+
+inline constexpr int kJointsInBlock = 8;
+constexpr long compressed_size(int rows, long count) {
+  return (count + kJointsInBlock - 1) / kJointsInBlock * kJointsInBlock * rows;
 }
 
 /// A stride for `count` joints that does not make the rows of a table collide in the cache.
@@ -104,6 +112,20 @@ class Batch {
 
   /// Is there a batch of that name?
   static bool knows(std::string_view formulation);
+
+  /// What of a tangent tells the rest of it: 9 numbers of an angular joint (d(m_b)/d(w_b) by rows), 33 of
+  /// others: the upper triangle of d(f_b)/d(x_b), d(f_b)/d(w_b), d(m_b)/d(x_b), d(m_b)/d(w_b); where there is
+  /// a potential 21: the first two, and the upper triangle of d(m_b)/d(w_b). 0: not balanced, all are needed.
+  /// Results::tangent then has blocks of kJointsInBlock joints: number c of joint i is its entry
+  /// (i / 8 * rows + c) * 8 + i % 8; the last block is whole.
+  static int compressed_rows(const Model& model);
+
+  /// Rows of Output::tangent or tangent_144 from a compressed one and its loads; joints: the same positions.
+  void expand(const Joints<double>& joints, const Results<double>& compressed, const Columns<double>& tangent,
+              Output output) const;
+  /// J v from the same, v in Joints::direction: the rows of Output::product. Neither call checks anything.
+  void multiply(const Joints<double>& joints, const Results<double>& compressed,
+                const Columns<double>& product) const;
 
   /// Throws std::invalid_argument where T has no code for this formulation (has()).
   template <class T>

@@ -1,17 +1,16 @@
 #include "halfway/batch/isa.hpp"
 
 #include <cstdlib>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
 namespace halfway::batch {
 namespace {
 
-constexpr Isa kAll[] = {Isa::avx512, Isa::avx2, Isa::sse2};
-
 std::string missing(const std::string& name, const char* from) {
   std::string has;
-  for (const Isa isa : kAll) {
+  for (const Isa isa : kIsas | std::views::reverse) {
     if (available(isa)) has += std::string(has.empty() ? "" : ", ") + to_string(isa);
   }
   return "instruction set " + name + from + ": this machine has " + has;
@@ -19,12 +18,15 @@ std::string missing(const std::string& name, const char* from) {
 
 }  // namespace
 
-const char* to_string(Isa isa) { return isa == Isa::sse2 ? "sse2" : isa == Isa::avx2 ? "avx2" : "avx512"; }
+const char* to_string(Isa isa) {
+  constexpr const char* kNames[] = {"sse2", "avx2", "avx2vl", "avx512"};
+  return kNames[int(isa)];
+}
 
 bool available(Isa isa) {
 #ifdef __x86_64__
   if (isa == Isa::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (isa == Isa::avx512) {
+  if (isa == Isa::avx512 || isa == Isa::avx2vl) {
     return available(Isa::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
   }
@@ -39,7 +41,7 @@ Isa choose(std::optional<Isa> wanted) {
   }
   const char* const name = std::getenv("HALFWAY_ISA");
   const std::string_view forced = name == nullptr ? "" : name;
-  for (const Isa isa : kAll) {
+  for (const Isa isa : kIsas | std::views::reverse) {
     if (forced.empty() ? available(isa) : forced == to_string(isa) && available(isa)) return isa;
   }
   throw std::invalid_argument(missing("'" + std::string(forced) + "'", " of HALFWAY_ISA"));

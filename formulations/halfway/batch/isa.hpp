@@ -6,9 +6,14 @@
 
 namespace halfway::batch {
 
-enum class Isa { sse2, avx2, avx512 };
+enum class Isa { sse2, avx2, avx2vl, avx512 };
+inline constexpr Isa kIsas[] = {Isa::sse2, Isa::avx2, Isa::avx2vl, Isa::avx512};
 
-/// sse2 is what every x86-64 has, and elsewhere means the compiler's own vectors.
+/// Of one register.
+constexpr int bytes(Isa isa) { return isa == Isa::sse2 ? 16 : isa == Isa::avx512 ? 64 : 32; }
+
+/// sse2 is what every x86-64 has, and elsewhere means the compiler's own vectors; avx2vl: packs as wide as
+/// those of avx2, in the 32 registers of AVX-512VL.
 const char* to_string(Isa isa);
 
 /// Has this machine that set?

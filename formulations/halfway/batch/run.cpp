@@ -1,5 +1,7 @@
 #include "halfway/batch/run.hpp"
 
+#include "halfway/batch/entries.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <thread>
@@ -16,6 +18,7 @@ constexpr int kCacheLine = 64;
 
 constexpr int kMaxLanes = 16;
 constexpr int kMaxLawRows = 21;
+constexpr int kMaxBlockRows = 9 + 81;
 
 struct Range {
   long begin = 0, end = 0;
@@ -40,21 +43,69 @@ Columns<T> moved(const Columns<T>& c, long by) {
 }
 
 template <class T>
-Job<T> job_of(const Work<T>& w, Range r, const LawCopies<T>* shared) {
+Place<T> moved(const Place<T>& p, long by) {
+  return {p.first == nullptr ? nullptr : p.at(by), p.stride, p.rows, p.block};
+}
+template <class T>
+Place<T> table(const Columns<T>& c) {
+  return {c.first, c.stride};
+}
+
+/// All joints.
+template <class T>
+Job<T> job_of(const Work<T>& w, const LawCopies<T>* shared) {
+  static constexpr BatchEnd<T> kAtTheNode{};
   const Joints<T>& j = w.joints;
-  Job<T> job;
-  job.count = r.end - r.begin;
-  job.q_a = moved(j.q_a, r.begin), job.q_b = moved(j.q_b, r.begin);
-  job.x_a = moved(j.x_a, r.begin), job.x_b = moved(j.x_b, r.begin);
-  job.direction = moved(j.direction, r.begin);
-  job.law = shared != nullptr ? Columns<const T>{shared->numbers, w.lanes} : moved(j.law, r.begin);
+  const bool ends = j.a != nullptr && j.b != nullptr;
+  Job<T> job{.count = j.count, .q_a = j.q_a, .q_b = j.q_b, .x_a = j.x_a, .x_b = j.x_b, .law = j.law};
+  job.direction = j.direction;
   job.law_step = shared != nullptr ? 0 : 1;
+  if (shared != nullptr) job.law = {shared->numbers, w.lanes};
   job.polynomial = w.model.law == LawForm::polynomial;
-  job.a = j.a, job.b = j.b;
+  job.a = ends ? j.a : &kAtTheNode, job.b = ends ? j.b : &kAtTheNode;
   job.xi = w.model.xi.value_or(0.5);
-  job.loads = moved(w.results.loads, r.begin), job.tangent = moved(w.results.tangent, r.begin);
-  job.all_entries = w.output == Output::tangent_144;
+  job.loads = table(w.results.loads);
+  job.tangent = w.output == Output::compressed ? blocks(w.results.tangent.first, w.tangent_rows)
+                                               : table(w.results.tangent);
   return job;
+}
+
+/// The part [begin, begin + count) of a job.
+template <class T>
+Job<T> part_of(const Job<T>& whole, long begin, long count) {
+  Job<T> job = whole;
+  job.count = count;
+  for (Columns<const T>* c : {&job.q_a, &job.q_b, &job.x_a, &job.x_b, &job.direction}) *c = moved(*c, begin);
+  if (job.law_step != 0) job.law = moved(job.law, begin);
+  job.loads = moved(job.loads, begin), job.tangent = moved(job.tangent, begin);
+  return job;
+}
+
+/// Whole packs, their results by way of blocks that stay in the nearest cache.
+template <class T>
+void run_in_blocks(const Work<T>& w, const Job<T>& job, Spread<T> spread) {
+  constexpr long kPacks = 4;
+  alignas(64) T numbers[kPacks * (64 / sizeof(T)) * kMaxBlockRows];
+  const Kind kind = w.model.kind;
+  Block<T> block{numbers, 0, load_rows(kind), tangent_rows(kind, Output::tangent), {}, {}};
+  for (long i = 0; i < job.count; i += kPacks * w.lanes) {
+    Job<T> part = part_of(job, i, std::min(kPacks * w.lanes, job.count - i));
+    block.packs = part.count / w.lanes;
+    block.loads = part.loads, block.tangent = part.tangent;
+    const int rows = block.load_rows + block.tangent_rows;
+    part.loads = {numbers, w.lanes, rows, w.lanes};
+    part.tangent = {numbers + block.load_rows * w.lanes, w.lanes, rows, w.lanes};
+    w.function(part);
+    spread(block);
+  }
+}
+
+template <class T>
+void run_packs(const Work<T>& w, const Job<T>& job, bool past_caches) {
+  if (const Spread<T> spread = past_caches ? w.streamed : w.spread)
+    run_in_blocks(w, job, spread);
+  else
+    w.function(job);
 }
 
 /// The last joints, fewer than a pack: through tables of one pack, filled up with copies of the last one.
@@ -71,10 +122,10 @@ class Tail {
     if (kind != Kind::angular) pack.x_a = read(job_.x_a, 3), pack.x_b = read(job_.x_b, 3);
     if (work_.output == Output::product) pack.direction = read(job_.direction, direction_rows(kind));
     if (job_.law_step != 0) pack.law = read(job_.law, law_rows(kind, work_.model.law));
-    pack.loads = place(load_rows(kind)), pack.tangent = place(tangent_rows(kind, work_.output));
-    work_.function(pack);
+    pack.loads = table(place(load_rows(kind))), pack.tangent = table(place(work_.tangent_rows));
+    run_packs(work_, pack, false);
     write(pack.loads, job_.loads, load_rows(kind));
-    write(pack.tangent, job_.tangent, tangent_rows(kind, work_.output));
+    write(pack.tangent, job_.tangent, work_.tangent_rows);
   }
 
  private:
@@ -92,7 +143,7 @@ class Tail {
     }
     return {to.first, to.stride};
   }
-  void write(const Columns<T>& from, const Columns<T>& to, int rows) const {
+  void write(const Place<T>& from, const Place<T>& to, int rows) const {
     for (int row = 0; row < rows; ++row) {
       std::copy_n(from.first + row * from.stride, job_.count, to.first + row * to.stride);
     }
@@ -112,16 +163,14 @@ void end_of_streaming() {
 }
 
 template <class T>
-void run_range(const Work<T>& w, Range r, const LawCopies<T>* shared, bool past_caches) {
+void run_range(const Work<T>& w, Range r, const Job<T>& all, bool past_caches) {
   const long whole = (r.end - r.begin) / w.lanes * w.lanes;
   if (whole > 0) {
-    Job<T> job = job_of(w, {r.begin, r.begin + whole}, shared);
-    job.past_caches = past_caches;
-    w.function(job);
+    run_packs(w, part_of(all, r.begin, whole), past_caches);
     if (past_caches) end_of_streaming();
   }
   if (r.begin + whole < r.end) {
-    const Job<T> rest = job_of(w, {r.begin + whole, r.end}, shared);
+    const Job<T> rest = part_of(all, r.begin + whole, r.end - r.begin - whole);
     Tail<T>(w, rest).run();
   }
 }
@@ -133,7 +182,7 @@ bool on_boundary(const void* p, long stride_bytes) {
 template <class T>
 bool past_caches(const Work<T>& w, Streaming streaming) {
   const auto& [loads, tangent] = w.results;
-  if (streaming == Streaming::never || w.output == Output::residual || w.output == Output::product)
+  if (streaming == Streaming::never || (w.output != Output::tangent && w.output != Output::tangent_144))
     return false;
   constexpr long kSize = sizeof(T);
   if (!on_boundary(loads.first, loads.stride * kSize) ||
@@ -166,15 +215,15 @@ template <class T>
 void run(const Work<T>& work, const Options& options) {
   std::optional<LawCopies<T>> copies;
   if (!work.joints.law_per_joint) copies.emplace(work);
-  const LawCopies<T>* const shared = copies ? &*copies : nullptr;
+  const Job<T> all = job_of(work, copies ? &*copies : nullptr);
   const bool streamed = past_caches(work, options.streaming);
-  if (options.threads <= 1) return run_range(work, {0, work.joints.count}, shared, streamed);
-  const std::vector<Range> parts = shares(work.joints.count, options.threads);
+  if (options.threads <= 1) return run_range(work, {0, all.count}, all, streamed);
+  const std::vector<Range> parts = shares(all.count, options.threads);
   std::vector<std::jthread> others;
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    others.emplace_back([&, k] { run_range(work, parts[k], shared, streamed); });
+    others.emplace_back([&, k] { run_range(work, parts[k], all, streamed); });
   }
-  if (!parts.empty()) run_range(work, parts[0], shared, streamed);
+  if (!parts.empty()) run_range(work, parts[0], all, streamed);
 }
 
 template void run(const Work<double>&, const Options&);

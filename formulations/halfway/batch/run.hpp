@@ -12,7 +12,9 @@ struct Work {
   const Results<T>& results;
   Output output;
   Evaluate<T> function;
-  int lanes;  ///< joints in one pack
+  Spread<T> spread, streamed;  ///< nullptr: the function writes to the tables itself
+  int lanes;                   ///< joints in one pack
+  int tangent_rows;            ///< of the output
 };
 
 template <class T>

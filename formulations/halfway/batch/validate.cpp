@@ -95,6 +95,12 @@ void validate(const Model& model, const Joints<T>& joints, const Results<T>& res
     refuse("an angular joint has no 144 entries");
   inputs(model, joints, output);
   has_room("loads", results.loads, load_rows(model.kind), joints.count);
+  if (output == Output::compressed) {
+    const int kept = Batch::compressed_rows(model);
+    if (kept == 0) refuse(model.formulation + " has no compressed tangent: its loads are not balanced");
+    const long needed = compressed_size(kept, joints.count);
+    return has_room("tangent", Columns<T>{results.tangent.first, needed, results.tangent.size}, 1, needed);
+  }
   const int rows = tangent_rows(model.kind, output);
   if (rows > 0) has_room("tangent", results.tangent, rows, joints.count);
 }

@@ -46,12 +46,13 @@ struct Digits<Dual<T>> : Digits<T> {};
 template <class Angle>
 struct Along {
   template <int order, class T>
-  static HALFWAY_INLINE AngleJet<Dual<T>> jet(const Dual<T>& t) {
-    const AngleJet<T> j = Angle::template jet<order + 1>(t.v);
+  static HALFWAY_INLINE AngleJet<Dual<T>> jet(const HalfAngle<Dual<T>>& x) {
+    const T& t_d = x.t.d;
+    const AngleJet<T> j = Angle::template jet<order + 1>(HalfAngle<T>{x.t.v, x.w.v, x.iw.v});
     AngleJet<Dual<T>> out;
-    out.h = {j.h, (j.d + j.d) * t.d};  // d = h'/2, d1 = -h''/2, d2 = h'''/2 by t
-    if constexpr (order >= 1) out.d = {j.d, -(j.d1 * t.d)};
-    if constexpr (order >= 2) out.d1 = {j.d1, -(j.d2 * t.d)};
+    out.h = {j.h, (j.d + j.d) * t_d};  // d = h'/2, d1 = -h''/2, d2 = h'''/2 by t
+    if constexpr (order >= 1) out.d = {j.d, -(j.d1 * t_d)};
+    if constexpr (order >= 2) out.d1 = {j.d1, -(j.d2 * t_d)};
     return out;
   }
 };

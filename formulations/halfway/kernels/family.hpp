@@ -20,10 +20,12 @@ template <class Translation, class Measure, class Transport>
 struct FamilyKernel {
   [[no_unique_address]] Translation translation{};
 
-  static constexpr bool kBalanced = true;
+  static constexpr bool kBalanced = true, kSymmetricForce = true;
   template <Kind kind>
   static constexpr bool kNeedsRelative = kind != Kind::linear || !Translation::kConstant;
   static constexpr bool kConjugate = Transport::kConjugate;
+  template <Kind kind>
+  static constexpr bool kConservative = kConjugate || kind == Kind::linear;
   static constexpr bool kSe3 = !Translation::kFrame;
   static constexpr bool kWeighted = requires(Translation t) { t.xi; };
 
@@ -43,18 +45,30 @@ struct FamilyKernel {
   /// m.
   template <class Angle, Kind kind, bool with_tangent, class T, class L>
   HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
-    const auto j = jet<Angle, kind, with_tangent>(r);
-    if constexpr (kSe3)
-      return se3<kind, with_tangent>(r, j, d, law);
-    else if constexpr (kind == Kind::linear)
-      return linear<with_tangent>(r, j, d, law);
-    else if constexpr (kEuler<Measure>)
-      return euler<with_tangent>(r, j, d, law);
-    else
-      return vector<with_tangent>(r, j, d, law);
+    PointLoads<T> out;
+    put<Fill::points, Angle, kind, with_tangent>(r, d, law, out);
+    return out;
+  }
+  /// All loads and columns, with joint points at the nodes.
+  template <class Angle, Kind kind, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void at_nodes(const Relative<T>& r, const V3<T>& d, const L& law, Out& out) const {
+    put<Fill::nodes, Angle, kind, with_tangent>(r, d, law, out);
   }
 
  private:
+  template <Fill what, class Angle, Kind kind, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void put(const Relative<T>& r, const V3<T>& d, const L& law, Out& out) const {
+    const auto j = jet<Angle, kind, with_tangent>(r);
+    if constexpr (kSe3)
+      se3<what, kind, with_tangent>(r, j, d, law, out);
+    else if constexpr (kind == Kind::linear)
+      linear<what, with_tangent>(r, j, d, law, out);
+    else if constexpr (kEuler<Measure>)
+      euler<what, with_tangent>(r, j, d, law, out);
+    else
+      vector<what, with_tangent>(r, j, d, law, out);
+  }
+
   template <Kind kind, bool with_tangent>
   static constexpr int order() {
     const bool conjugate_rate = with_tangent && kConjugate;
@@ -140,79 +154,78 @@ struct FamilyKernel {
   }
 
   /// Force alone: needs neither a measure nor, half-way, an angle.
-  template <bool with_tangent, class T, class L>
-  HALFWAY_INLINE PointLoads<T> linear(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
-                                      const L& law) const {
+  template <Fill what, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void linear(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d, const L& law,
+                             Out& out) const {
     const auto F = frame<with_tangent>(translation, r, j);
     V3<T> f;
     S3<T> K;
     respond<with_tangent>(law, F.F, d * F.F, d, f, K);
-    PointLoads<T> out;
-    force_at_points<with_tangent, false>(d, f, full(K), {}, F.spin, out);
-    return out;
+    fill<what, with_tangent>(d, f, K, F.spin, out);
   }
 
-  template <bool with_tangent, class T, class L>
-  HALFWAY_INLINE PointLoads<T> vector(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
-                                      const L& law) const {
+  template <Fill what, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void vector(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d, const L& law,
+                             Out& out) const {
     const Measured<T> e = measured<with_tangent>(r, j);
     const auto F = frame<with_tangent>(translation, r, j);
     const auto H = moment_frame<with_tangent>(r, j);
     const auto rate = H.rate(r, e);
     const auto s =
         respond<with_tangent>(law, F.F, H.F, Pair<T>{d * F.F, e.eta * r.v}, Pair<T>{d, e.eta * r.g});
-    Moment<T> m{.value = kConjugate ? rate.transposed_times(s.m) : s.m};
+    auto m = moment_in(H.spin, kConjugate ? rate.transposed_times(s.m) : s.m);
     if constexpr (with_tangent) {
       m.f_w = rate.after(s.K.fm);
       m.w = rate.after(full(s.K.mm));
-      if constexpr (kConjugate) {
+      if constexpr (kConjugate)
         m.w = rate.transposed_times(m.w) + rate_of_rate(r, e, s.m);
-        m.p = transposed(m.f_w);
-      } else {
+      else
         m.p = transposed(s.K.fm);
-      }
     }
-    return with_moment<with_tangent>(d, s.f, full(s.K.ff), m, F.spin, H.spin);
+    fill<what, kConjugate, with_tangent>(d, s.f, s.K.ff, F.spin, m, out);
+  }
+  template <class T, class Spin>
+  static HALFWAY_INLINE Moment<T, Spin> moment_in(const Spin& spin, const V3<T>& value) {
+    return {value, {}, {}, {}, spin};
   }
 
-  template <bool with_tangent, class T, class L>
-  HALFWAY_INLINE PointLoads<T> euler(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
-                                     const L& law) const {
+  template <Fill what, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void euler(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d, const L& law,
+                            Out& out) const {
     const auto e = EulerKernel<Measure>::template values < with_tangent || kConjugate > (r);
     const auto F = frame<with_tangent>(translation, r, j);
     const auto H = euler_frame<with_tangent>(r, j);
     const Pair<T> strain{d * F.F, e.e};
     const Pair<T> stress = law.stress(strain);
     const V3<T> y = kConjugate ? stress.m * e.E : stress.m;
-    Moment<T> m{.value = H.F * y};
-    M3<T> f_p;
+    auto m = moment_in(H.spin, H.F * y);
+    S3<T> f_p{};
     if constexpr (with_tangent) {
       const Stiffness6<T> K = law.stiffness(strain);
       const M3<T> E = euler_rate(r, H, e.E);
-      M3<T> w = full(K.mm) * E, p = transposed(K.fm);
-      if constexpr (kConjugate) {
+      M3<T> w = full(K.mm) * E;
+      if constexpr (kConjugate)
         w = transposed_times(E, w) + EulerKernel<Measure>::transport_rate(e, y);
-        p = transposed_times(E, p);
-      }
+      else
+        m.p = turned(H.F, transposed(K.fm), F.F);
       m.w = turned(H.F, w, H.F);
-      m.p = turned(H.F, p, F.F);
       m.f_w = turned(F.F, K.fm * E, H.F);
-      f_p = full(turned(F.F, K.ff));
+      f_p = turned(F.F, K.ff);
     }
-    return with_moment<with_tangent>(d, F.F * stress.f, f_p, m, F.spin, H.spin);
+    fill<what, kConjugate, with_tangent>(d, F.F * stress.f, f_p, F.spin, m, out);
   }
 
   /// On SE(3): the translation's strain is B d with the rotation vector's own rate B, half-way.
-  template <Kind kind, bool with_tangent, class T, class L>
-  HALFWAY_INLINE PointLoads<T> se3(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d,
-                                   const L& law) const {
+  template <Fill what, Kind kind, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void se3(const Relative<T>& r, const AngleJet<T>& j, const V3<T>& d, const L& law,
+                          Out& out) const {
     static_assert(kConjugate && kVectorial<Measure>);
     const auto H = frame<with_tangent>(FrameHalfway{}, r, j);
     const ScrewStrain<T> strain = screw_strain(r, j, d);
     const auto& B = strain.B;
     V3<T> f;
     S3<T> K;
-    Moment<T> m;
+    auto m = moment_in(H.spin, V3<T>{});
     M3<T> stiff_w;  // d(fbar)/d(spin)
     if constexpr (kind == Kind::linear) {
       respond<with_tangent>(law, H.F, strain.l * H.F, strain.l, f, K);
@@ -236,13 +249,12 @@ struct FamilyKernel {
               rate.transposed_times(moment_w) + rate_of_rate(r, e, s.m);
       }
     }
-    M3<T> f_p;
+    S3<T> f_p{};
     if constexpr (with_tangent) {
-      f_p = B.transposed_times(B.after(full(K)));
+      f_p = upper_triangle(B.transposed_times(B.after(full(K))));
       m.f_w = B.transposed_times(stiff_w) + rate_of_rate(r, strain.measure, f);
-      m.p = transposed(m.f_w);
     }
-    return with_moment<with_tangent>(d, B.times(f), f_p, m, H.spin, H.spin);
+    fill<what, true, with_tangent>(d, B.times(f), f_p, H.spin, m, out);
   }
 };
 

@@ -25,7 +25,9 @@ HALFWAY_INLINE M3<T> between(const Quat<T>& a, const Quat<T>& b) {
 }
 
 struct FasseKernel {
-  static constexpr bool kBalanced = true;
+  static constexpr bool kBalanced = true, kSymmetricForce = true;
+  template <Kind>
+  static constexpr bool kConservative = true;
   static constexpr bool kSparesCoupling = true;  ///< a coupling has two fifths of the flops
 
   template <class Angle, bool with_tangent, class T, class L>
@@ -39,18 +41,14 @@ struct FasseKernel {
   template <class Angle, Kind kind, bool with_tangent, class T, class L>
   HALFWAY_INLINE PointLoads<T> point(const Relative<T>& r, const V3<T>& d, const L& law) const {
     PointLoads<T> out;
-    fill_point<coupling<kind, L>(), with_tangent>(d, parts<kind, with_tangent>(r, d, law), out);
+    put<Fill::points, coupling<kind, L>(), with_tangent>(d, parts<kind, with_tangent>(r, d, law), out);
     return out;
   }
 
   /// All loads and columns, with joint points at the nodes.
-  template <class Angle, Kind kind, bool with_tangent, class T, class L>
-  HALFWAY_INLINE PointLoads<T> at_nodes(const Relative<T>& r, const V3<T>& d, const L& law) const {
-    PointLoads<T> out;
-    const Parts<T> part = parts<kind, with_tangent>(r, d, law);
-    fill_point<coupling<kind, L>(), with_tangent>(d, part, out);
-    fill_rest<coupling<kind, L>(), with_tangent>(d, part, out);
-    return out;
+  template <class Angle, Kind kind, bool with_tangent, class T, class L, class Out>
+  HALFWAY_INLINE void at_nodes(const Relative<T>& r, const V3<T>& d, const L& law, Out& out) const {
+    put<Fill::nodes, coupling<kind, L>(), with_tangent>(d, parts<kind, with_tangent>(r, d, law), out);
   }
 
  private:
@@ -158,49 +156,47 @@ struct FasseKernel {
     return minus_skew(times_skew(full(h.K), d), h.f);
   }
 
-  /// Force and moment on b, as every kernel has them.
-  template <Coupling coupling, bool with_tangent, class T>
-  static HALFWAY_INLINE void fill_point(const V3<T>& d, const Parts<T>& part, PointLoads<T>& out) {
+  template <Fill what, Coupling coupling, bool with_tangent, class T, class Out>
+  static HALFWAY_INLINE void put(const V3<T>& d, const Parts<T>& part, Out& out) {
+    constexpr bool turns = coupling != Coupling::no_turn;
+    const V3<T> b = cross(part.b.f, d), a = cross(part.a.f, d);
     out.f.value = part.a.f + part.b.f;
-    out.b.value = cross(part.b.f, d);
-    if constexpr (coupling != Coupling::no_turn) out.b.value = out.b.value + part.turn.m;
+    out.b.value = turns ? b + part.turn.m : b;
+    if constexpr (what == Fill::nodes) out.a.value = turns ? a - part.turn.m : a;
     if constexpr (with_tangent) {
-      const M3<T> own = by_spin(d, part.b);
       out.f.x = full(sum(part.a.K, part.b.K));
-      out.f.wb = own;
-      out.b.wb = -skew_times(d, own);
-      if constexpr (coupling != Coupling::no_turn) out.b.wb = out.b.wb + part.turn.wb;
-      if constexpr (coupling == Coupling::all) {
-        const M3<T> arm = skew_times(d, part.b.N);
-        out.f.wb = own + (part.a.N + part.b.N);
-        out.b.wb = out.b.wb - (arm + transposed(arm));
-      }
-      out.b.x = transposed(out.f.wb);
+      M3<T> coupled;  // d(f)/d(dspin)
+      if constexpr (coupling == Coupling::all) coupled = part.a.N + part.b.N;
+      put_b<coupling>(d, part, coupled, out);
+      if constexpr (what == Fill::nodes) put_a<coupling>(d, part, coupled, out);
     }
   }
-  /// The moment on a and the columns of its spin.
-  template <Coupling coupling, bool with_tangent, class T>
-  static HALFWAY_INLINE void fill_rest(const V3<T>& d, const Parts<T>& part, PointLoads<T>& out) {
-    out.a.value = cross(part.a.f, d);
-    if constexpr (coupling != Coupling::no_turn) out.a.value = out.a.value - part.turn.m;
-    if constexpr (with_tangent) {
-      const M3<T> own = by_spin(d, part.a);
-      out.f.wa = own;
-      out.a.wa = -skew_times(d, own);
-      out.b.wa = zero33<T>();
-      if constexpr (coupling != Coupling::no_turn) {
-        out.a.wa = out.a.wa + transposed(part.turn.wb);
-        out.b.wa = part.turn.wa;
-      }
-      if constexpr (coupling == Coupling::all) {
-        const M3<T> arm_a = skew_times(d, part.a.N), arm_b = skew_times(d, part.b.N);
-        out.f.wa = own - (part.a.N + part.b.N);
-        out.a.wa = out.a.wa + (arm_a + transposed(arm_a));
-        out.b.wa = out.b.wa + (arm_b - transposed(arm_a));
-      }
-      out.a.x = transposed(out.f.wa);
-      out.a.wb = transposed(out.b.wa);
+  /// The columns of b's spin, but for the moment on a.
+  template <Coupling coupling, class T, class Out>
+  static HALFWAY_INLINE void put_b(const V3<T>& d, const Parts<T>& part, const M3<T>& coupled, Out& out) {
+    const M3<T> own = by_spin(d, part.b), f = coupling == Coupling::all ? own + coupled : own;
+    out.f.wb = f, out.b.x = transposed(f);
+    M3<T> b = -skew_times(d, own);
+    if constexpr (coupling != Coupling::no_turn) b = b + part.turn.wb;
+    if constexpr (coupling == Coupling::all) {
+      const M3<T> arm = skew_times(d, part.b.N);
+      b = b - (arm + transposed(arm));
     }
+    out.b.wb = b;
+  }
+  /// The columns of a's spin, and those of the moment on a.
+  template <Coupling coupling, class T, class Out>
+  static HALFWAY_INLINE void put_a(const V3<T>& d, const Parts<T>& part, const M3<T>& coupled, Out& out) {
+    const M3<T> own = by_spin(d, part.a), f = coupling == Coupling::all ? own - coupled : own;
+    out.f.wa = f, out.a.x = transposed(f);
+    M3<T> a = -skew_times(d, own), mixed = zero33<T>();
+    if constexpr (coupling != Coupling::no_turn) a = a + transposed(part.turn.wb), mixed = part.turn.wa;
+    if constexpr (coupling == Coupling::all) {
+      const M3<T> arm_a = skew_times(d, part.a.N), arm_b = skew_times(d, part.b.N);
+      a = a + (arm_a + transposed(arm_a));
+      mixed = mixed + (arm_b - transposed(arm_a));
+    }
+    out.a.wa = a, out.b.wa = mixed, out.a.wb = transposed(mixed);
   }
 };
 

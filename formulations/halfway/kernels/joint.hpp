@@ -77,16 +77,36 @@ HALFWAY_INLINE MomentLoads<T> loads(const KernelJoint<Kind::angular, K, L, E>& j
   return joint.kernel.template angular<typename Accuracy::Angle, with_tangent>(r, joint.law);
 }
 
-/// Loads about the nodes, with joint points at them. @param D  from node a to b, global axes, m.
-template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
-HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D) {
-  if constexpr (requires { kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law); }) {
-    return kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law);
+/// Is the force's derivative by the position symmetric, and are the loads balanced?
+template <class K>
+inline constexpr bool kSymmetricForce = requires {
+  requires K::kSymmetricForce;
+};
+/// Do the loads follow from a potential, whatever the law (its stiffness is symmetric)?
+template <class K, Kind kind>
+inline constexpr bool kConservative = requires {
+  requires K::template kConservative<kind>;
+};
+
+/// Loads about the nodes, with joint points at them.
+/// @param D  from node a to b, global axes, m
+/// @param out  PointLoads, or what takes its parts one after the other
+template <class Angle, Kind kind, bool with_tangent, class K, class L, class T, class Out>
+HALFWAY_INLINE void put_node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D,
+                                   Out& out) {
+  if constexpr (requires { kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law, out); }) {
+    kernel.template at_nodes<Angle, kind, with_tangent>(r, D, law, out);
   } else {
     auto p = kernel.template point<Angle, kind, with_tangent>(r, D, law);
-    complete<K::kBalanced, with_tangent>(D, p);
-    return p;
+    complete<K::kBalanced, kConservative<K, kind>, with_tangent>(D, p);
+    assign<with_tangent>(p, out);
   }
+}
+template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
+HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Relative<T>& r, const V3<T>& D) {
+  PointLoads<T> out;
+  put_node_loads<Angle, kind, with_tangent>(kernel, law, r, D, out);
+  return out;
 }
 /// The same with joint points at r_a and r_b from the nodes, global axes, m.
 template <class Angle, Kind kind, bool with_tangent, class K, class L, class T>
@@ -94,7 +114,7 @@ HALFWAY_INLINE PointLoads<T> node_loads(const K& kernel, const L& law, const Rel
                                         const V3<T>& r_a, const V3<T>& r_b) {
   auto p = kernel.template point<Angle, kind, with_tangent>(r, (D + r_b) - r_a, law);
   carry<K::kBalanced, with_tangent>(r_a, r_b, p);
-  complete<K::kBalanced, with_tangent>(D, p);
+  complete<K::kBalanced, kConservative<K, kind>, with_tangent>(D, p);
   return p;
 }
 

@@ -23,11 +23,28 @@ struct Load {
 /// are the 81 distinct numbers of the 144 of the tangent.
 ///
 /// A kernel fills value, x and wb of f and b, and of a too where it is not balanced (kBalanced):
-/// the rest follows from objectivity and balance, and is cheapest last; or from a kernel's own at_nodes().
+/// the rest follows from objectivity and balance, and is cheapest last; or it has an at_nodes() that fills
+/// all.
 template <class T>
 struct PointLoads {
   Load<T> f, a, b;
 };
+
+/// To what takes loads' parts.
+template <bool with_tangent, class T, class Out>
+HALFWAY_INLINE void assign(const MomentLoads<T>& l, Out& out) {
+  out.m = l.m;
+  if constexpr (with_tangent) out.wa = l.wa, out.wb = l.wb;
+}
+template <bool with_tangent, class T, class Out>
+HALFWAY_INLINE void assign(const Load<T>& l, Out& out) {
+  out.value = l.value;
+  if constexpr (with_tangent) out.x = l.x, out.wa = l.wa, out.wb = l.wb;
+}
+template <bool with_tangent, class T, class Out>
+HALFWAY_INLINE void assign(const PointLoads<T>& l, Out& out) {
+  assign<with_tangent>(l.f, out.f), assign<with_tangent>(l.a, out.a), assign<with_tangent>(l.b, out.b);
+}
 
 /// From the joint points to the nodes: the joint points are at r_a, r_b from them (global axes, m).
 template <bool balanced, bool with_tangent, class T>
@@ -54,14 +71,19 @@ HALFWAY_INLINE void complete_column(const V3<T>& d, Load<T>& l) {
   l.wa = minus_skew(times_skew(l.x, d) - l.wb, l.value);
 }
 
-/// What follows: the columns of w_a, and a's moment from balance, m_a = -(m_b + d x f).
+/// What follows: the columns of w_a, and a's moment from balance, m_a = -(m_b + d x f); where there is a
+/// potential, mixed derivatives are each other's transposes.
 /// @param d  from the point about which a's moment is taken to that of b's, m
-template <bool balanced, bool with_tangent, class T>
+template <bool balanced, bool conservative, bool with_tangent, class T>
 HALFWAY_INLINE void complete(const V3<T>& d, PointLoads<T>& p) {
+  static_assert(balanced || !conservative);
   if constexpr (with_tangent) complete_column(d, p.f), complete_column(d, p.b);
   if constexpr (balanced) {
     p.a.value = -(p.b.value + cross(d, p.f.value));
-    if constexpr (with_tangent) {
+    if constexpr (with_tangent && conservative) {
+      p.a.x = transposed(p.f.wa);
+      p.a.wb = transposed(p.b.wa);
+    } else if constexpr (with_tangent) {
       p.a.x = plus_skew(-(p.b.x + skew_times(d, p.f.x)), p.f.value);
       p.a.wb = -(p.b.wb + skew_times(d, p.f.wb));
     }

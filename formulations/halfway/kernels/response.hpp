@@ -19,7 +19,7 @@ HALFWAY_INLINE AngleJet<T> jet_at(const Relative<T>& r) {
   if constexpr (order < 0)
     return {};
   else
-    return Angle::template jet<order>(r.t);
+    return Angle::template jet<order>(HalfAngle<T>{r.t, r.w, r.iw});
 }
 
 /// The law's answer in global axes: force in frame F, moment in frame H.

@@ -4,6 +4,8 @@
 #include "halfway/kernels/loads.hpp"
 #include "halfway/kernels/spins.hpp"
 
+#include <type_traits>
+
 namespace halfway::kernel {
 
 /// M A.
@@ -37,33 +39,31 @@ HALFWAY_INLINE M3<T> minus_turn(const M3<T>& M, const V3<T>& x, const WeightedSp
   return minus_skew(M + turned_by_q - outer(cross(x, A.r * A.g), A.g), A.p * x);
 }
 
-/// The arm of the force in a frame that turns with the nodes: moment -A^T (d x f) on b [24, 30], with its
-/// derivatives by d and by the relative spin, as seen in the frame; f_w: d(f)/d(spin), ditto.
-template <bool with_tangent, bool with_f_w, class T>
-HALFWAY_INLINE Load<T> arm(const V3<T>& d, const V3<T>& f, const M3<T>& f_d, const M3<T>& f_w,
-                           const FullSpin&) {
-  Load<T> l;
-  l.value = -cross(d, f);
-  if constexpr (with_tangent) {
-    l.x = plus_skew(-skew_times(d, f_d), f);
-    if constexpr (with_f_w) l.wb = -skew_times(d, f_w);
-  }
-  return l;
+/// A^T x, x a vector or a matrix; and -A^T x.
+template <class X>
+HALFWAY_INLINE X transposed_spun(const X& x, const FullSpin&) {
+  return x;
 }
-template <bool with_tangent, bool with_f_w, class T, class Spin>
-HALFWAY_INLINE Load<T> arm(const V3<T>& d, const V3<T>& f, const M3<T>& f_d, const M3<T>& f_w,
-                           const Spin& A) {
-  Load<T> l;
-  const V3<T> moment = cross(d, f);
-  l.value = -A.transposed_times(moment);
-  if constexpr (with_tangent) {
-    l.x = A.transposed_times(plus_skew(-skew_times(d, f_d), f));
-    if constexpr (with_f_w)
-      l.wb = -A.plus_rate(A.transposed_times(skew_times(d, f_w)), moment);
-    else
-      l.wb = -A.plus_rate(zero33<T>(), moment);
-  }
-  return l;
+template <class X, class Spin>
+HALFWAY_INLINE X transposed_spun(const X& x, const Spin& A) {
+  return A.transposed_times(x);
+}
+template <class T>
+HALFWAY_INLINE V3<T> minus_spun(const V3<T>&, const NoSpin&) {
+  return zero3<T>();
+}
+template <class T, class Spin>
+HALFWAY_INLINE V3<T> minus_spun(const V3<T>& x, const Spin& A) {
+  return -transposed_spun(x, A);
+}
+
+/// M - d(A^T x)/d(spin), constant x, as the frame sees it.
+template <class T, class Spin>
+HALFWAY_INLINE M3<T> minus_rate(const M3<T>& M, const V3<T>& x, const Spin& A) {
+  if constexpr (std::is_same_v<Spin, FullSpin>)
+    return M;
+  else
+    return A.plus_rate(M, -x);
 }
 
 }  // namespace halfway::kernel

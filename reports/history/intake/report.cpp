@@ -101,7 +101,7 @@ void each(const json& root, const char* list, std::string& where, const auto& wo
 std::string isa_of(const json& root, bool is_here) {
   std::string out;
   const auto rank = [](const std::string& isa) {
-    return isa == "avx512" ? 3 : isa == "avx2" ? 2 : isa == "sse2";
+    return isa == "avx512" ? 4 : isa == "avx2vl" ? 3 : isa == "avx2" ? 2 : isa == "sse2";
   };
   for (const json& timing : root.at("timings"))
     if (const std::string isa = timing.at("isa"); rank(isa) > rank(out)) out = isa;

@@ -32,13 +32,14 @@ export const WHAT = {
   residual: 'without tangent',
   residual_tangent: 'with tangent',
   residual_tangent_144: 'with tangent, 144 entries',
+  residual_compressed: 'with compressed tangent',
   product: 'product J v'
 };
 const IMPLEMENTATION = {reference: 'transcription'};
 /** @param {string} key */
 export const implementationLabel = (key) => IMPLEMENTATION[key] ?? key;
 export const whatLabel = (key) => WHAT[key] ?? key.replaceAll('_', ' ');
-const ISA = {sse2: 'SSE2', avx2: 'AVX2', avx512: 'AVX-512', scalar: 'scalar'};
+const ISA = {sse2: 'SSE2', avx2: 'AVX2', avx2vl: 'AVX2 in 32 registers', avx512: 'AVX-512', scalar: 'scalar'};
 export const isaLabel = (key) => ISA[key] ?? key;
 export const ISAS = Object.keys(ISA);
 

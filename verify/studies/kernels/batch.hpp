@@ -45,7 +45,7 @@ struct BatchTables {
   NodeLoads<T> at(long i, batch::Output output) const;
 };
 
-inline constexpr batch::Isa kIsas[] = {batch::Isa::sse2, batch::Isa::avx2, batch::Isa::avx512};
+using batch::kIsas;
 
 /// batch/NAME: a count of what is wrong, of which there may be none.
 Finding counted(const std::string& name, double wrong, const std::string& reason);

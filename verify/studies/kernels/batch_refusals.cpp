@@ -84,6 +84,13 @@ Finding refusals() {
   wrong += refused([](Tables&, In& in) { in.x_b.first = nullptr; }, {"x_b", "missing"});
   wrong += refused([](Tables&, In& in) { in.b = nullptr; }, {"one node alone"});
   wrong += refused([](Tables& t, In&) { t.model.xi = kNan; }, {"xi", "nan"});
+  Tables t = tables_of(repeated(Kind::linear, 20), Output::compressed);
+  const batch::Results<double> one_short{t.loads.columns(), {t.tangent.columns().first, 0, 24 * 21 - 1}};
+  wrong += silent([&] { batch::validate(t.model, t.joints(), one_short, Output::compressed); },
+                  {"tangent", "503", "504"});
+  t.model.formulation = "chrono_body";
+  wrong += silent([&] { batch::validate(t.model, t.joints(), t.results(), Output::compressed); },
+                  {"chrono_body", "balanced"});
   wrong += silent([] { Batch({.formulation = "invarient"}); }, {"invarient", "invariant"});
   wrong += silent([] { Batch({.formulation = "intrinsic"}); }, {"intrinsic", "xi"});
   wrong += refused_plans();

@@ -91,6 +91,41 @@ Finding streaming() {
   });
 }
 
+/// Numbers of compressed tangents that differ from those of 40 joints in one call, or lie beyond the blocks.
+int compressed_differences(Isa isa, Kind kind, long count, int threads) {
+  const auto joints = repeated(kind, 40);
+  Tables tables = tables_of(joints, Output::tangent);
+  const Batch batch(tables.model, isa);
+  const int rows = Batch::compressed_rows(tables.model);
+  const auto evaluated = [&](long n, int with_threads) {
+    std::vector<double> blocks(batch::compressed_size(rows, 48), kCanary);
+    auto in = tables.joints();
+    in.count = n;
+    batch.evaluate(in, {tables.loads.columns(), {blocks.data(), 0, long(blocks.size())}}, Output::compressed,
+                   {.threads = with_threads});
+    return blocks;
+  };
+  const std::vector<double> all = evaluated(40, 1), some = evaluated(count, threads);
+  int wrong = 0;
+  for (long k = 0; k < long(some.size()); ++k) {
+    const long joint = k / (8 * rows) * 8 + k % 8;
+    wrong += tapped(some[k]) != (joint < count ? all[k] : kCanary);
+  }
+  return wrong;
+}
+
+Finding compressed() {
+  int wrong = 0;
+  for (const Isa isa : kIsas) {
+    if (!batch::available(isa)) continue;
+    for (const Kind kind : kKinds) {
+      for (const long n : {0, 1, 7, 8, 9, 15, 37, 40}) wrong += compressed_differences(isa, kind, n, 1);
+      wrong += compressed_differences(isa, kind, 37, 3);
+    }
+  }
+  return counted("compressed", wrong, "some joints, in threads: bit for bit as in one batch, and no more");
+}
+
 /// One law for all, against that law per joint.
 Finding shared_law() {
   return over_isas("shared_law", "the same numbers per joint: bit for bit",
@@ -168,6 +203,7 @@ void batch_running(Checks& checks) {
   add("threads", threads);
   add("streaming", streaming);
   add("shared_law", shared_law);
+  add("compressed", compressed);
   add("mixed", mixed);
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace halfway::verify {
 namespace {
@@ -69,6 +70,30 @@ void evaluate(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm
   }
 }
 
+/// By way of the compressed tangent: what it is expanded to, and J v made of it.
+void evaluate_compressed(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm law, bool ends,
+                         Isa isa, Errors& errors) {
+  const Kind kind = joints[0].spec.kind;
+  BatchTables<double> tables(entry, joints, law, ends, batch::tangent_rows(kind, Output::tangent));
+  BatchTables<double> product(entry, joints, law, ends, batch::tangent_rows(kind, Output::product));
+  const Batch batch(tables.model, isa);
+  if (!batch.has<double>(Output::compressed)) return;
+  std::vector<double> blocks(batch::compressed_size(Batch::compressed_rows(tables.model), tables.count), NAN);
+  const batch::Results<double> compressed{tables.loads.columns(), {blocks.data(), 0, long(blocks.size())}};
+  batch::validate(tables.model, tables.joints(), compressed, Output::compressed);
+  batch.evaluate(tables.joints(), compressed, Output::compressed);
+  batch.expand(tables.joints(), compressed, tables.tangent.columns(), Output::tangent);
+  batch.multiply(tables.joints(), compressed, product.tangent.columns());
+  for (long i = 0; i < tables.count; ++i) {
+    const BatchJoint& j = joints[i];
+    if (j.steepness > kSteepest) continue;
+    const NodeLoads<double> value = tables.at(i, Output::tangent);
+    errors.loads.include(miss(j.exact.q, value.q) / j.scale, at(j));
+    errors.tangent.include(miss(j.exact.tangent, value.tangent) / tangent_scale(j), at(j));
+    include_product(product, j, i, errors.product);
+  }
+}
+
 constexpr double kLimit = 5e-15;
 constexpr double kInFloat =
     double(std::numeric_limits<float>::epsilon()) / std::numeric_limits<double>::epsilon();
@@ -83,10 +108,13 @@ constexpr const char* kPolynomialReason =
     "as linear laws, times four: the slope of a fifth power has four times its strain's relative error";
 constexpr const char* kProductReason =
     "of the tangent's largest entry: three times its own, a sum of up to twelve of them with signs";
+constexpr const char* kExpandedReason =
+    "as the tangent, times two: entries that are not kept are sums of up to three with signs";
 constexpr const char* kFloatReason = "as in double, in eps of float";
 
 constexpr double kPolynomial = 4;
 constexpr double kProduct = 3;
+constexpr double kExpanded = 2;
 
 using JointSets = std::vector<BatchJoint>;
 
@@ -107,12 +135,15 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
   std::vector<Finding> out;
   for (const Isa isa : kIsas) {
     if (!batch::available(isa)) continue;
-    Errors errors, of_odd, in_float;
+    Errors errors, of_odd, in_float, compressed;
     all_outputs<double>(entry, linear, LawForm::linear, true, isa, errors);
     all_outputs<double>(entry, bare, LawForm::linear, false, isa, errors);
     if (!block_diagonal.empty())
       all_outputs<double>(entry, block_diagonal, LawForm::linear, false, isa, errors);
     all_outputs<double>(entry, odd, LawForm::polynomial, true, isa, of_odd);
+    for (const JointSets* some : {&bare, &block_diagonal, &linear})
+      if (!some->empty())
+        evaluate_compressed(entry, *some, LawForm::linear, some == &linear, isa, compressed);
     all_outputs<float>(entry, single, LawForm::linear, true, isa, in_float);
     const std::string of = std::string("batch_") + batch::to_string(isa);
     const auto hold = [&](const char* what, const Measurement& error, double at_most, const char* reason) {
@@ -129,6 +160,11 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
     hold("_polynomial_tangent", of_odd.tangent, kPolynomial * kLimit, kPolynomialReason);
     if (batch.has<double>(Output::product))
       hold("_product", errors.product, kProduct * kLimit, kProductReason);
+    if (batch.has<double>(Output::compressed)) {
+      hold("_compressed_loads", compressed.loads, kLimit, kLoadsReason);
+      hold("_compressed_tangent", compressed.tangent, kExpanded * kLimit, kExpandedReason);
+      hold("_compressed_product", compressed.product, kProduct * kLimit, kProductReason);
+    }
     if (!batch.has<float>(Output::tangent)) continue;
     hold("_float_loads", in_float.loads, kLimit * kInFloat, kFloatReason);
     hold("_float_tangent", in_float.tangent, kLimit * kInFloat, kFloatReason);

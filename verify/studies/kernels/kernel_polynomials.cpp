@@ -1,9 +1,10 @@
-// Every polynomial of halfway/kernels/core/coefficients.hpp against its function at 50 digits.
+// Every polynomial of halfway/kernels/core/coefficients.hpp against its function at 50 digits, and the jets
+// that are made of them.
 //
 // The functions are taken from their closed forms in sines and arctangents, the derivatives of
 // h(w) = phi / sin(phi/2), w = cos(phi/2), from (1 - w^2) h_w = w h - 2 and what follows by
 // differentiation. The limit is what interpolation can leave, from the function's own Chebyshev series.
-#include "halfway/kernels/core/coefficients.hpp"
+#include "halfway/kernels/core/functions.hpp"
 #include "reference/numbers/precision.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -134,11 +136,11 @@ std::vector<Finding> polynomials() {
   HALFWAY_ADD_DEGREES(
       "angle", 1, [](const Real50& t) { return angle(t).h; }, kAngle);
   HALFWAY_ADD_DEGREES(
-      "angle_1", 1, [](const Real50& t) { return -angle(t).h1 / 2; }, kAngle1);
+      "angle_from_1", 1, [](const Real50& t) { return (angle(t).h - 2) / t; }, kAngleFrom1);
   HALFWAY_ADD_DEGREES(
-      "angle_2", 1, [](const Real50& t) { return -angle(t).h2 / 2; }, kAngle2);
-  HALFWAY_ADD_DEGREES(
-      "angle_3", 1, [](const Real50& t) { return -angle(t).h3 / 2; }, kAngle3);
+      "angle_from_3", 1,
+      [](const Real50& t) { return ((angle(t).h - 2) / t - Real50(2) / 3 - Real50(4) / 15 * t) / (t * t); },
+      kAngleFrom3);
   HALFWAY_ADD_DEGREES("sine", sine_end, sine, kSine);
   HALFWAY_ADD_DEGREES("sine_1", sine_end, sine_1, kSine1);
   HALFWAY_ADD_DEGREES("arctangent", 1, arctangent, kArctangent);
@@ -146,8 +148,53 @@ std::vector<Finding> polynomials() {
 }
 #undef HALFWAY_ADD_DEGREES
 
+/// One order of the jet of a scalar: h and what of d, d1, d2 it has, in eps.
+template <int order, class T>
+void include_jet(const T& t, Measurement (&errors)[4]) {
+  const T w = T(1) - t;
+  const auto j = kernel::ExactAngle::jet<order>(kernel::HalfAngle<T>{t, w, T(1) / (T(1) + w)});
+  const Angle exact = angle(Real50(t));
+  const std::string at = fmt::format("order {} at {:.4g}", order, double(t));
+  const T values[] = {j.h, j.d, j.d1, j.d2};
+  const Real50 truth[] = {exact.h, -exact.h1 / 2, -exact.h2 / 2, -exact.h3 / 2};
+  for (int k = 0; k <= order; ++k) {
+    const double error = std::abs(double((tapped(Real50(values[k])) - truth[k]) / truth[k]));
+    errors[k].include(error / double(std::numeric_limits<T>::epsilon()), at);
+  }
+}
+
+template <class T>
+void add_jets(std::vector<Finding>& out, const char* scalar) {
+  Measurement errors[4];
+  constexpr int kPoints = 1000;
+  for (int i = 1; i <= kPoints; ++i) {
+    for (const double t : {double(i) / kPoints, std::pow(1e-6, double(i) / kPoints)}) {
+      include_jet<0>(T(t), errors), include_jet<1>(T(t), errors);
+      include_jet<2>(T(t), errors), include_jet<3>(T(t), errors);
+    }
+  }
+  constexpr const char* kNames[] = {"h", "d", "d1", "d2"};
+  constexpr double kLimits[] = {1, 3, 5, 6};
+  for (int k = 0; k < 4; ++k) {
+    out.push_back(
+        at_most(fmt::format("kernel_polynomials/jet/{}/{}", scalar, kNames[k]), "kernel_polynomials",
+                errors[k], kLimits[k], "eps", Oracle::closed_form,
+                "the last sum's rounding; derivatives have those of 1 / (1 + w) and its powers, and "
+                "half the polynomial's, besides"));
+  }
+}
+
+std::vector<Finding> jets() {
+  std::vector<Finding> out;
+  add_jets<double>(out, "double"), add_jets<float>(out, "float");
+  return out;
+}
+
 }  // namespace
 
-void kernel_polynomials(Checks& checks) { checks.push_back({"kernel_polynomials", "kernels", polynomials}); }
+void kernel_polynomials(Checks& checks) {
+  checks.push_back({"kernel_polynomials", "kernels", polynomials});
+  checks.push_back({"kernel_polynomials/jet", "kernels", jets});
+}
 
 }  // namespace halfway::verify

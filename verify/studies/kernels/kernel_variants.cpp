@@ -27,7 +27,8 @@ template <class Angle>
 double angle_error(double phi) {
   const Real50 half = Real50(phi) / 2, quarter = half / 2;
   const Real50 t = 2 * sin(quarter) * sin(quarter);
-  return std::abs(double(tapped(Angle::template jet<0>(t).h) * sin(half) / Real50(phi) - 1));
+  const kernel::HalfAngle<Real50> at{t, 1 - t, 1 / (2 - t)};
+  return std::abs(double(tapped(Angle::template jet<0>(at).h) * sin(half) / Real50(phi) - 1));
 }
 
 /// The worst error over phi^power for phi from 1e-3 rad to pi.

@@ -1,7 +1,8 @@
 // The functions of an angle that the kernels need, without trigonometry, square root or branch.
 //
 // With the relative quaternion (w, v), w >= 0 and t = 1 - w in [0, 1]: theta = h(t) v. Its derivatives
-// in t give every rate. Double: error below 2e-16; more digits: the hypergeometric series of h.
+// give every rate. Double: a polynomial for h, from which the derivatives follow; more digits: the
+// hypergeometric series of h.
 #pragma once
 
 #include "halfway/kernels/core/coefficients.hpp"
@@ -16,20 +17,43 @@ struct AngleJet {
   T h, d, d1, d2;
 };
 
+/// Where a jet is asked for: t = 1 - w without cancellation, w, and iw = 1/(1 + w).
+template <class T>
+struct HalfAngle {
+  T t, w, iw;
+};
+
+namespace detail {
+
+/// The jet of h = 2 + t p, p = 2/3 + t q, q = 4/15 + t r; read: p for order 0 and 1, q for 2, r for 3.
+/// Derivatives of (1 - w^2) h_w = w h - 2, divided by t in closed form: nothing cancels.
+template <int order, class T>
+HALFWAY_INLINE AngleJet<T> jet_of(const HalfAngle<T>& x, const T& p, const T& q, const T& r) {
+  const T& w = x.w;
+  const T two(2), ww = w * w, iw2 = x.iw * x.iw;
+  AngleJet<T> j{};
+  j.h = two + x.t * p;
+  if constexpr (order >= 1) j.d = x.iw * (T(1) - T(0.5) * (w * p));
+  if constexpr (order >= 2) j.d1 = -iw2 * (T(2. / 3) * (T(1) + x.t) + q * (T(0.5) + ww));
+  if constexpr (order >= 3)
+    j.d2 = iw2 * x.iw * (T(4) - T(1.2) * w + T(0.8) * ww - w * (T(4.5) + T(3) * ww) * r);
+  return j;
+}
+
+}  // namespace detail
+
 /// As exact as the scalar.
 struct ExactAngle {
   template <int order, class T>
-  static HALFWAY_INLINE AngleJet<T> jet(const T& t) {
+  static HALFWAY_INLINE AngleJet<T> jet(const HalfAngle<T>& x) {
     if constexpr (!kPolynomials<T>) {
-      return series(t);
+      return series(x.t);
+    } else if constexpr (constexpr int degree = kSingle<T> ? 9 : 20; order <= 1) {
+      return detail::jet_of<order>(x, polynomial(detail::kAngleFrom1<degree>, x.t), {}, {});
     } else {
-      constexpr bool single = kSingle<T>;
-      AngleJet<T> j{};
-      j.h = polynomial(detail::kAngle < single ? 10 : 21 >, t);
-      if constexpr (order >= 1) j.d = polynomial(detail::kAngle1 < single ? 10 : 22 >, t);
-      if constexpr (order >= 2) j.d1 = polynomial(detail::kAngle2 < single ? 10 : 22 >, t);
-      if constexpr (order >= 3) j.d2 = polynomial(detail::kAngle3 < single ? 10 : 23 >, t);
-      return j;
+      const T r = polynomial(detail::kAngleFrom3<degree>, x.t);
+      const T q = T(4. / 15) + x.t * r;
+      return detail::jet_of<order>(x, T(2. / 3) + x.t * q, q, r);
     }
   }
 
@@ -80,8 +104,8 @@ inline constexpr double kSmallAngle[3] = {2., 2. / 3., 4. / 15.};
 template <int degree>
 struct PolynomialAngle {
   template <int order, class T>
-  static HALFWAY_INLINE AngleJet<T> jet(const T& t) {
-    return detail::truncated<order>(detail::kAngle<degree>, t);
+  static HALFWAY_INLINE AngleJet<T> jet(const HalfAngle<T>& x) {
+    return detail::truncated<order>(detail::kAngle<degree>, x.t);
   }
 };
 
@@ -89,13 +113,13 @@ struct PolynomialAngle {
 template <int terms>
 struct SmallAngle {
   template <int order, class T>
-  static HALFWAY_INLINE AngleJet<T> jet(const T& t) {
+  static HALFWAY_INLINE AngleJet<T> jet(const HalfAngle<T>& x) {
     if constexpr (terms == 1) {
       return {T(2), T(0), T(0), T(0)};
     } else {
       double c[terms];
       for (int k = 0; k < terms; ++k) c[k] = detail::kSmallAngle[k];
-      return detail::truncated<order>(c, t);
+      return detail::truncated<order>(c, x.t);
     }
   }
 };

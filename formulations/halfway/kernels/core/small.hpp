@@ -137,6 +137,11 @@ template <class T>
 HALFWAY_INLINE M3<T> full(const S3<T>& k) {
   return {{k.xx, k.xy, k.xz}, {k.xy, k.yy, k.yz}, {k.xz, k.yz, k.zz}};
 }
+/// Of a symmetric matrix.
+template <class T>
+HALFWAY_INLINE S3<T> upper_triangle(const M3<T>& a) {
+  return {a.x.x, a.x.y, a.x.z, a.y.y, a.y.z, a.z.z};
+}
 /// F K F^T.
 template <class T>
 HALFWAY_INLINE S3<T> turned(const M3<T>& F, const S3<T>& K) {

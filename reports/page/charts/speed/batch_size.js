@@ -12,10 +12,11 @@ const HUES = {
   residual: HUE.blue,
   residual_tangent: HUE.vermilion,
   residual_tangent_144: HUE.magenta,
+  residual_compressed: HUE.sky,
   product: HUE.green
 };
 const OTHER = [HUE.gold, HUE.sky, HUE.violet];
-const SHAPES = {sse2: 'circle', avx2: 'square', avx512: 'triangle-up'};
+const SHAPES = {sse2: 'circle', avx2: 'square', avx2vl: 'diamond', avx512: 'triangle-up'};
 const DASHES = {1: [1, 0], 2: [5, 3]};
 const hue = (output) => HUES[output] ?? OTHER[output.length % OTHER.length];
 const dash = (threads) => DASHES[threads] ?? [2, 3];

@@ -12,12 +12,14 @@ const HUES = {
   scalar: 'var(--muted)',
   sse2: HUE.green,
   avx2: HUE.gold,
+  avx2vl: HUE.sky,
   avx512: HUE.blue
 };
 const SHAPES = {
   residual: 'circle',
   residual_tangent: 'square',
   residual_tangent_144: 'triangle-up',
+  residual_compressed: 'diamond',
   product: 'diamond'
 };
 const PLACES = [
@@ -114,7 +116,7 @@ function tableOf(points) {
     {text: 'formulation'},
     {text: 'what'},
     {text: 'instructions'},
-    ...['joints', 'ns', 'flops', 'flops/byte', 'flops/ns', 'of peak', 'of limit'].map((text) => ({
+    ...['joints', 'ns', 'flops', 'flops/byte', 'flops/ns', 'of peak', 'of ports', 'of limit'].map((text) => ({
       text,
       number: true
     }))
@@ -132,6 +134,7 @@ function tableOf(points) {
       short(p.intensity),
       short(p.rate, 3),
       percent(p.of_peak),
+      percent(p.of_ports),
       p.share
     ])
   );
@@ -206,7 +209,10 @@ export function rooflineFigure(results) {
       'figcaption',
       {},
       'Flops are counted per evaluation, peaks and bandwidths measured in the same process, one ' +
-        'thread. Limit: the least of the peak of the instruction set and the largest bandwidth of ' +
+        'thread. Of ports: the shortest time of the multiplications, alone or fused with a sum, over ' +
+        'the time; the peak, of multiply-adds alone, no joint can reach. Multiplications count as ' +
+        'written: where a compiler finds two to be one, the share looks larger. Limit: the least of the ' +
+        'peak of the instruction set and the largest bandwidth of ' +
         'the cache, or of the memory, times flops per byte. ',
       speed.peaks.length ? '' : 'No peak was measured in this run.'
     ),

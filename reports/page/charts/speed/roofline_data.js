@@ -47,6 +47,7 @@ export function kernelsOf(timings, speed, {kind, precision, place}) {
         rate,
         intensity,
         of_peak: peak ? rate / peak : null,
+        of_ports: peak && t.products > 0 ? (2 * t.products) / peak / t.ns : null,
         of_roof: roof ? rate / roof : null,
         share: percent(roof ? rate / roof : null)
       };

@@ -20,6 +20,9 @@ struct Sse2 {
 struct Avx2 {
   static constexpr int kBytes = 32;
 };
+struct Avx2Vl {  // of AVX-512VL: the registers are 32, not 16
+  static constexpr int kBytes = 32;
+};
 struct Avx512 {
   static constexpr int kBytes = 64;
 };

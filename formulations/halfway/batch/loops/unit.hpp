@@ -1,9 +1,9 @@
 // The loops of one formulation over packs of joints; included only by the generated units.
 #pragma once
 
-#include "halfway/batch/law.hpp"
-#include "halfway/batch/results.hpp"
-#include "halfway/batch/same.hpp"
+#include "halfway/batch/loops/law.hpp"
+#include "halfway/batch/loops/results.hpp"
+#include "halfway/batch/loops/same.hpp"
 #include "halfway/kernels/dual.hpp"
 #include "halfway/kernels/joint.hpp"
 
@@ -46,12 +46,9 @@ HALFWAY_INLINE V3<T> rotated(const Quat<T>& q, const V3<T>& o) {
 }
 
 template <Kind kind, class P, class T, class Number>
-HALFWAY_INLINE PlacedNode<T> node(const Quat<T>& q, const BatchEnd<Number>* end) {
-  PlacedNode<T> n{q, {}};
-  if (end != nullptr) {
-    n.joint = q * Quat<T>{T(P(double(end->H[0]))), constant<T, P>(end->H + 1)};
-    if constexpr (kind != Kind::angular) n.arm = rotated(q, constant<T, P>(end->o));
-  }
+HALFWAY_INLINE PlacedNode<T> node(const Quat<T>& q, const BatchEnd<Number>& end) {
+  PlacedNode<T> n{q * Quat<T>{T(P(double(end.H[0]))), constant<T, P>(end.H + 1)}, {}};
+  if constexpr (kind != Kind::angular) n.arm = rotated(q, constant<T, P>(end.o));
   return n;
 }
 
@@ -63,8 +60,9 @@ HALFWAY_INLINE Quat<kernel::Dual<P>> moved(const Quat<P>& q, const V3<P>& spin) 
 }
 
 /// Which joints a loop is for: any; those without ends and with a linear law; of those, the ones whose law
-/// does not couple translation and rotation, with 81 results that stay in the caches: one choice less after
-/// each pack leaves more of them in registers.
+/// does not couple translation and rotation. A loop chooses nothing within: what would be chosen once a pack,
+/// however well predicted, has a pack's numbers pass through memory (measured with g++ 12: residuals take 1.5
+/// to 1.7 times as long, tangents 1.2 to 1.3).
 enum class Loop { any, lean, block_diagonal };
 
 template <Kind kind, class P, class Number, Loop loop>
@@ -95,45 +93,65 @@ inline constexpr bool kSparesCoupling = requires {
   requires K::kSparesCoupling;
 };
 
-/// Residual, with or without its tangent.
-template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number>
-void evaluate(const Job<Number>& call) {
-  constexpr bool lean = loop != Loop::any;
-  Job<Number> job = call;  // what is stored to a table cannot change it
-  if constexpr (lean) job.a = job.b = nullptr;
-  if constexpr (loop == Loop::block_diagonal) job.all_entries = job.past_caches = false;
-  if constexpr (loop == Loop::lean && kind == Kind::linear_angular && with_tangent && kSparesCoupling<K>) {
-    if (!job.all_entries && !job.past_caches && uncoupled(job))
-      return evaluate<K, kind, with_tangent, Loop::block_diagonal, P>(job);
+/// Loads of a pack's joints between nodes of the orientations q.
+/// @param D  from node a to b, m; read if not angular
+/// @param out  MomentLoads or PointLoads, or what takes its parts as soon as they are known
+template <class K, Kind kind, class Angle, bool with_tangent, bool ends, class P, class T, class L,
+          class Number, class Out>
+HALFWAY_INLINE void loads_between(const K& k, const L& law, const Quat<T>& q_a, const Quat<T>& q_b,
+                                  const V3<T>& D, const Job<Number>& job, Out& out) {
+  if constexpr (ends) {
+    const PlacedNode<T> a = node<kind, P>(q_a, *job.a), b = node<kind, P>(q_b, *job.b);
+    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
+    if constexpr (kind == Kind::angular)
+      kernel::assign<with_tangent>(k.template angular<Angle, with_tangent>(r, law), out);
+    else
+      kernel::assign<with_tangent>(kernel::node_loads<Angle, kind, with_tangent>(k, law, r, D, a.arm, b.arm),
+                                   out);
+  } else {
+    const auto r = kernel::relative_for<K, kind>(q_a, q_b);
+    if constexpr (kind == Kind::angular)
+      kernel::assign<with_tangent>(k.template angular<Angle, with_tangent>(r, law), out);
+    else
+      kernel::put_node_loads<Angle, kind, with_tangent>(k, law, r, D, out);
   }
+}
+
+template <Kind kind, class P, class Number>
+HALFWAY_INLINE V3<P> distance_at(const Columns<const Number>& x_a, const Columns<const Number>& x_b, long i) {
+  if constexpr (kind == Kind::angular)
+    return {};
+  else
+    return vector_at<P>(x_b, 0, i) - vector_at<P>(x_a, 0, i);
+}
+
+/// Loads of joints i .. i + lanes, in registers: out as for loads_between().
+template <class K, Kind kind, bool with_tangent, Loop loop, class P, class Number, class Out>
+HALFWAY_INLINE void loads_at(const K& k, const Job<Number>& job, long i, Out& out) {
+  loads_between<K, kind, ExactAngle, with_tangent, loop == Loop::any, P>(
+      k, law_at<kind, P, Number, loop>(job, i), quaternion_at<P>(job.q_a, i), quaternion_at<P>(job.q_b, i),
+      distance_at<kind, P>(job.x_a, job.x_b, i), job, out);
+}
+
+/// Residual, with or without its tangent.
+template <class K, Kind kind, bool with_tangent, Kept kept, Loop loop, class P, class Number>
+void evaluate(const Job<Number>& call) {
+  if constexpr (loop == Loop::lean && kind == Kind::linear_angular && with_tangent && kSparesCoupling<K>) {
+    if (uncoupled(call)) return evaluate<K, kind, with_tangent, kept, Loop::block_diagonal, P>(call);
+  }
+  const Job<Number> job = call;  // what is stored to a table cannot change it
   const K k = kernel_of<K>(job);
   for (long i = 0; i < job.count; i += P::kLanes) {
-    const auto law = law_at<kind, P, Number, loop>(job, i);
-    const PlacedNode<P> a = node<kind, P>(quaternion_at<P>(job.q_a, i), job.a);
-    const PlacedNode<P> b = node<kind, P>(quaternion_at<P>(job.q_b, i), job.b);
-    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
-    if constexpr (kind == Kind::angular) {
-      put<with_tangent>(k.template angular<ExactAngle, with_tangent>(r, law), job, i);
-    } else {
-      const V3<P> D = vector_at<P>(job.x_b, 0, i) - vector_at<P>(job.x_a, 0, i);
-      if constexpr (lean) {
-        put<with_tangent>(kernel::node_loads<ExactAngle, kind, with_tangent>(k, law, r, D), job, i);
-      } else {
-        const V3<P> d = job.a != nullptr ? D + b.arm - a.arm : D;
-        auto loads = k.template point<ExactAngle, kind, with_tangent>(r, d, law);
-        if (job.a != nullptr) kernel::carry<K::kBalanced, with_tangent>(a.arm, b.arm, loads);
-        kernel::complete<K::kBalanced, with_tangent>(D, loads);
-        put<with_tangent>(loads, job, i);
-      }
-    }
+    auto out = rows_at<kind, kept>(writer(job.loads, i), writer(job.tangent, i));
+    loads_at<K, kind, with_tangent, loop, P>(k, job, i, out);
   }
 }
 
 /// Residual and its derivative along job.direction.
 template <class K, Kind kind, class P, class Number>
-void evaluate_product(const Job<Number>& job) {
+void evaluate_product(const Job<Number>& call) {
   using T = kernel::Dual<P>;
-  using Angle = kernel::Along<ExactAngle>;
+  const Job<Number> job = call;
   const K k = kernel_of<K>(job);
   constexpr bool kAngular = kind == Kind::angular;
   for (long i = 0; i < job.count; i += P::kLanes) {
@@ -141,20 +159,15 @@ void evaluate_product(const Job<Number>& job) {
     const kernel::LawAlong<decltype(law)> along{law};
     const V3<P> w_a = vector_at<P>(job.direction, kAngular ? 0 : 3, i);
     const V3<P> w_b = vector_at<P>(job.direction, kAngular ? 3 : 9, i);
-    const PlacedNode<T> a = node<kind, P>(moved(quaternion_at<P>(job.q_a, i), w_a), job.a);
-    const PlacedNode<T> b = node<kind, P>(moved(quaternion_at<P>(job.q_b, i), w_b), job.b);
-    const auto r = kernel::relative_for<K, kind>(a.joint, b.joint);
-    if constexpr (kAngular) {
-      put_product(k.template angular<Angle, false>(r, along), job, i);
-    } else {
-      const V3<T> D = kernel::dual(vector_at<P>(job.x_b, 0, i) - vector_at<P>(job.x_a, 0, i),
-                                   vector_at<P>(job.direction, 6, i) - vector_at<P>(job.direction, 0, i));
-      const V3<T> d = job.a != nullptr ? D + b.arm - a.arm : D;
-      auto loads = k.template point<Angle, kind, false>(r, d, along);
-      if (job.a != nullptr) kernel::carry<K::kBalanced, false>(a.arm, b.arm, loads);
-      kernel::complete<K::kBalanced, false>(D, loads);
-      put_product(loads, job, i);
+    V3<T> D{};
+    if constexpr (!kAngular) {
+      D = kernel::dual(distance_at<kind, P>(job.x_a, job.x_b, i),
+                       vector_at<P>(job.direction, 6, i) - vector_at<P>(job.direction, 0, i));
     }
+    auto out = product_rows_at<kind>(writer(job.loads, i), writer(job.tangent, i));
+    loads_between<K, kind, kernel::Along<ExactAngle>, false, true, P>(
+        k, along, moved(quaternion_at<P>(job.q_a, i), w_a), moved(quaternion_at<P>(job.q_b, i), w_b), D, job,
+        out);
   }
 }
 
@@ -163,12 +176,14 @@ template <class F, Kind kind, bool lean, class P, class Number>
 constexpr void set_functions(Functions<Number>& f) {
   using K = KernelType<F>;
   if constexpr (std::is_same_v<K, typename Served<K, kind>::By>) {
-    f.residual = evaluate<K, kind, false, Loop::any, P, Number>;
-    f.tangent = evaluate<K, kind, true, Loop::any, P, Number>;
+    f.residual = evaluate<K, kind, false, Kept::all, Loop::any, P, Number>;
+    f.tangent = evaluate<K, kind, true, Kept::all, Loop::any, P, Number>;
     if constexpr (lean) {
-      f.lean_residual = evaluate<K, kind, false, Loop::lean, P, Number>;
-      f.lean_tangent = evaluate<K, kind, true, Loop::lean, P, Number>;
+      f.lean_residual = evaluate<K, kind, false, Kept::all, Loop::lean, P, Number>;
+      f.lean_tangent = evaluate<K, kind, true, Kept::all, Loop::lean, P, Number>;
     }
+    if constexpr (lean && std::is_same_v<Number, double> && kPacked<K, kind> != Kept::all)
+      f.lean_compressed = evaluate<K, kind, true, kPacked<K, kind>, Loop::lean, P, Number>;
     if constexpr (std::is_same_v<Number, double>) f.product = evaluate_product<K, kind, P, Number>;
   }
 }

@@ -1,8 +1,8 @@
 // The laws of a batch: numbers in tables, shared or one column per joint.
 #pragma once
 
-#include "halfway/batch/job.hpp"
-#include "halfway/batch/pack.hpp"
+#include "halfway/batch/loops/job.hpp"
+#include "halfway/batch/loops/pack.hpp"
 #include "halfway/kernels/laws.hpp"
 
 #include <initializer_list>

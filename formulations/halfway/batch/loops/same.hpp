@@ -1,7 +1,7 @@
 // Kernels that do not differ for a kind of joint are compiled once.
 #pragma once
 
-#include "halfway/kernels/kernel.hpp"
+#include "halfway/kernels/joint.hpp"
 
 namespace halfway::batch::detail {
 
@@ -38,6 +38,18 @@ template <>
 struct Served<kernel::ChronoKernel, Kind::angular> {
   using By = kernel::ChronoKernel::AtB;
 };
+
+/// Which numbers of the tangent are kept: all (81 but of angular joints), or what expand() makes them of.
+enum class Kept { all, general, conservative };
+
+/// The fewest that tell the tangent: objectivity tells the rest of a moment's, and with balance and a
+/// symmetric derivative of the force by the position that of a force's.
+template <class K, Kind kind>
+inline constexpr Kept kPacked = kind == Kind::angular ||
+                                        (kernel::kSymmetricForce<K> && !kernel::kConservative<K, kind>)
+                                    ? Kept::general
+                                : kernel::kSymmetricForce<K> ? Kept::conservative
+                                                             : Kept::all;
 
 template <class F>
 using KernelType = decltype(kernel::KernelOf<F>::make(*static_cast<const F*>(nullptr)));
