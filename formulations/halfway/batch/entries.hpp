@@ -18,6 +18,7 @@ struct Entry {
   const Unit* units[std::size(kIsas)];  ///< by instruction set; nullptr: not built
   bool needs_xi;
   int compressed[3];  ///< Batch::compressed_rows(), by kind
+  bool has_potential[3];  ///< by kind
 };
 
 template <class T>
