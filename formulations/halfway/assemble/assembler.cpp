@@ -58,8 +58,13 @@ Assembler::Assembler(const batch::Model& model, const Pattern& pattern, const Op
     refuse("'" + model.formulation + "' has no potential, so that its tangent is not symmetric: Part::whole");
   if (options.threads < 1) refuse("threads are " + text(options.threads) + ", at least 1");
   const int lanes = batch_.loop(Output::tangent, false).lanes;
-  shares_ = detail::share_out(pattern, {options.first, joint_count_, lanes, angular && unknowns == 6 ? 3 : 0},
-                              options.threads);
+  const detail::Packs packs{options.first,
+                            joint_count_,
+                            lanes,
+                            detail::scatter_for(lanes).lanes,
+                            angular ? detail::kOrder3 : detail::kOrder6,
+                            angular && unknowns == 6 ? 3 : 0};
+  shares_ = detail::share_out(pattern, packs, options.threads);
 }
 
 void Assembler::check(const Call& call) const {
@@ -104,7 +109,7 @@ void Assembler::run_share(const Call& call, const detail::Share& share) const {
   results.symmetric = symmetric_;
   results.residual = call.residual.data(), results.values = call.values.data();
   const detail::Scatter& scatter = stage.scatter();
-  const int angular = batch_.model().kind == Kind::angular;
+  const bool angular = batch_.model().kind == Kind::angular;
   for (std::size_t i = 0; i < share.targets.size(); i += loop.lanes) {
     results.targets = share.targets.data() + i;
     stage.evaluate(in.poses.data(), results.targets);

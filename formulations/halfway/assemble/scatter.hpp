@@ -50,8 +50,9 @@ struct Scatter {
   int lanes;  ///< that are put at a time
 };
 
-/// In the order of a pack's blocks: those off the diagonal first, which a symmetric part must not change.
-inline constexpr int kOrder[4] = {1, 2, 0, 3};
+/// The order in which blocks aa, ab, ba, bb of `lanes` lanes are put: as they lie; of three unknowns those
+/// off the diagonal first, since a symmetric part would change them.
+inline constexpr int kOrder3[4] = {1, 2, 0, 3}, kOrder6[4] = {0, 1, 2, 3};
 
 extern const Scatter kScatter_Sse2;
 #ifdef __x86_64__

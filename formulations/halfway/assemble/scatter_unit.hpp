@@ -1,17 +1,20 @@
 // Packs of results into a matrix: transposed in registers, added as vectors; included by the units alone.
 //
 // The loops of a batch leave a pack's results in the nearest cache, [row][lane]. Four lanes (two with SSE2)
-// of as many rows are turned into that many consecutive numbers of each joint's block. What was tried and
-// brought nothing is kept, so that nobody tries it again (ns a joint, full, 1e5 joints from memory, where
-// this takes 142):
+// of as many rows are turned into that many consecutive numbers of each joint's block.
 //
-//   256-bit results straight from the loops' registers     none: g++ and clang spill 81 results anyway
-//   lanes one by one, 36 numbers each                       241 (of another run: 141)
-//   512-bit transposes                                      a 512-bit shuffle a cycle against two of 256 bits
-//   prefetching the targets of this pack, or of the next    174 to 183 against 182
-//   blocks of 16 and 32 joints between loop and matrix      10 more in cache: they leave L1
-//   streaming stores of whole lines, blocks of one joint    147 against 142; 110 against 100 in cache
-//   adding to zeros (memset first) instead of assigning     182 + 15
+// Levers that brought nothing (ns a joint, full invariant joints on a lattice, AVX-512, shared Zen 4; each
+// line is of one run, 1e5 joints from memory unless it says otherwise):
+//
+//   results put from the loops' registers     81 do not fit in 32: compilers spill them to the same cache
+//   lanes one by one, 36 numbers each         241 against 141 (another run)
+//   block CSR by rows of six                  as fast as 36 in a row; CSR, whose rows are apart: 1.3 times
+//   512-bit transposes                        one 512-bit shuffle a cycle against two of 256 bits
+//   prefetching blocks 1, 2 or 3 packs ahead  139, 139, 140 against 139; in cache 95, 91, 92 against 92
+//   16 or 32 joints between loop and matrix   188 and 195 against 182: they leave L1
+//   streaming the blocks of one joint         147 against 142; in cache 110 against 100
+//   zeroing a row when it is met              137 (rep stosb), 176 (clzero) against 131
+//   adding to a matrix zeroed before          177 against 131
 #pragma once
 
 #include "halfway/assemble/scatter.hpp"
@@ -228,38 +231,41 @@ void put_residual(const PackResults& pack) {
   }
 }
 
-/// A pack's 3 x 3 matrix from `row` on becomes its symmetric part.
+/// The 3 x 3 matrix from `row` on, of some lanes, becomes its symmetric part.
 template <class Isa>
 HALFWAY_INLINE void symmetrize(double* tangent, long lanes, int row) {
-  constexpr int step = kLanesAtOnce<Isa>;
-  using Vec = Vector<Isa, step>;
+  using Vec = Vector<Isa, kLanesAtOnce<Isa>>;
   constexpr int pairs[3][2] = {{1, 3}, {2, 6}, {5, 7}};
   for (const auto& [upper, lower] : pairs) {
-    for (long l = 0; l < lanes; l += step) {
-      double *const x = tangent + (row + upper) * lanes + l, *const y = tangent + (row + lower) * lanes + l;
-      const typename Vec::V mean = 0.5 * (Vec::load(x) + Vec::load(y));
-      Vec::store(x, mean), Vec::store(y, mean);
-    }
+    double *const x = tangent + (row + upper) * lanes, *const y = tangent + (row + lower) * lanes;
+    const typename Vec::V mean = 0.5 * (Vec::load(x) + Vec::load(y));
+    Vec::store(x, mean), Vec::store(y, mean);
   }
 }
 
-template <class Isa, Shape shape, int i, int j>
-HALFWAY_INLINE void put_all_lanes(const PackResults& pack) {
-  for (int lane = 0; lane < pack.lanes; lane += kLanesAtOnce<Isa>) {
-    put_blocks<Isa, shape, i, j, kLanesAtOnce<Isa>>(pack, lane);
-  }
+template <class Isa, Shape shape, int... k>
+HALFWAY_INLINE void put_in_order(const PackResults& pack, int lane, std::integer_sequence<int, k...>) {
+  constexpr bool angular = size_of(shape) == 3;
+  constexpr const int(&order)[4] = angular ? kOrder3 : kOrder6;
+  const auto symmetric_part = [&] {
+    // Of the moment on each node by its own spin.
+    symmetrize<Isa>(pack.tangent + lane, pack.lanes, angular ? 0 : 27 + 9);
+    symmetrize<Isa>(pack.tangent + lane, pack.lanes, angular ? 9 : 54 + 18);
+  };
+  const auto put = [&]<int at>(std::integral_constant<int, at>) HALFWAY_INLINE_LAMBDA {
+    if (pack.symmetric && at == (angular ? 2 : 0)) symmetric_part();
+    put_blocks<Isa, shape, order[at] / 2, order[at] % 2, kLanesAtOnce<Isa>>(pack, lane);
+  };
+  (put(std::integral_constant<int, k>{}), ...);
 }
 
+/// Some lanes with all their blocks (measured: block after block of a whole pack takes 163 ns instead of
+/// 137).
 template <class Isa, Shape shape>
 void put_tangent(const PackResults& pack) {
-  put_all_lanes<Isa, shape, 0, 1>(pack), put_all_lanes<Isa, shape, 1, 0>(pack);
-  if (pack.symmetric) {
-    // The moment on each node by its own spin.
-    constexpr bool angular = size_of(shape) == 3;
-    symmetrize<Isa>(pack.tangent, pack.lanes, angular ? 0 : 27 + 9);
-    symmetrize<Isa>(pack.tangent, pack.lanes, angular ? 9 : 54 + 18);
+  for (int lane = 0; lane < pack.lanes; lane += kLanesAtOnce<Isa>) {
+    put_in_order<Isa, shape>(pack, lane, std::make_integer_sequence<int, 4>{});
   }
-  put_all_lanes<Isa, shape, 0, 0>(pack), put_all_lanes<Isa, shape, 1, 1>(pack);
 }
 
 /// Four numbers from `first` on of the poses of four lanes.

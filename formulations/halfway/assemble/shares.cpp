@@ -51,12 +51,12 @@ std::vector<Target> in_packs(const Pattern& pattern, const Packs& packs) {
 }
 
 /// Marks what comes first to each block, in the order in which packs are put.
-void mark_first(std::vector<Target>& all, const Pattern& pattern, int lanes) {
+void mark_first(std::vector<Target>& all, const Pattern& pattern, const Packs& packs) {
   std::vector<bool> taken(pattern.value_count());
-  for (std::size_t pack = 0; pack < all.size(); pack += lanes) {
-    for (const int k : kOrder) {
-      for (int lane = 0; lane < lanes; ++lane) {
-        Target& t = all[pack + lane];
+  for (std::size_t from = 0; from < all.size(); from += packs.lanes_at_once) {
+    for (const int k : std::span(packs.order, 4)) {
+      for (int lane = 0; lane < packs.lanes_at_once; ++lane) {
+        Target& t = all[from + lane];
         if (t.block[k] < 0 || taken[t.block[k]]) continue;
         taken[t.block[k]] = true;
         t.first |= 1 << k;
@@ -107,7 +107,7 @@ Share share_of(const std::vector<Target>& all, const Form& form, int lanes, long
 
 std::vector<Share> share_out(const Pattern& pattern, const Packs& packs, int threads) {
   std::vector<Target> all = in_packs(pattern, packs);
-  mark_first(all, pattern, packs.lanes);
+  mark_first(all, pattern, packs);
   const std::vector<long> begin = boundaries(all, pattern, threads);
   std::vector<Share> shares;
   for (int k = 0; k < threads; ++k) {

@@ -17,8 +17,10 @@ struct Share {
 /// Joints first .. first + count of a pattern, by packs.
 struct Packs {
   long first, count;
-  int lanes;
-  int inset;  ///< from the first unknown of a node to the first that the joints load
+  int lanes;          ///< of a pack
+  int lanes_at_once;  ///< that are put together
+  const int* order;   ///< in which their blocks are put
+  int inset;          ///< from the first unknown of a node to the first that the joints load
 };
 
 std::vector<Share> share_out(const Pattern& pattern, const Packs& packs, int threads);

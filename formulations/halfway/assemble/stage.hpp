@@ -61,6 +61,9 @@ class Stage {
     const int lanes = loop_.lanes;
     if (targets[lanes - 1].joint == targets[0].joint + lanes - 1) {
       job_.law = {law_.first + targets[0].joint, law_.stride};
+      // As many streams as a law has numbers are more than the hardware follows.
+      for (int row = 0; row < law_rows_; ++row)
+        __builtin_prefetch(job_.law.first + row * law_.stride + 2 * lanes);
       return;
     }
     for (int row = 0; row < law_rows_; ++row) {

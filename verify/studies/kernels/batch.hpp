@@ -25,6 +25,9 @@ struct BatchJoint {
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::LawForm law, bool ends,
                                      bool single);
 
+/// Its loads and tangent at 50 digits, and what their errors are relative to.
+void solve(const Entry& entry, BatchJoint& joint);
+
 /// The same joints with laws that do not couple translation and rotation, which a batch may have a loop for.
 std::vector<BatchJoint> uncoupled(const Entry& entry, std::vector<BatchJoint> joints);
 
