@@ -47,7 +47,8 @@ Net random_net(const Entry& entry, Kind kind) {
 }
 
 Exact exact_sums(const Net& net, int unknowns) {
-  const long size = unknowns * std::ranges::count_if(net.rows, [](int row) { return row != assemble::kFixed; });
+  const long size =
+      unknowns * std::ranges::count_if(net.rows, [](int row) { return row != assemble::kFixed; });
   const int from = 6 - unknowns;  // the rotations alone are the last of a node's loads
   Exact out;
   out.loads.setZero(size), out.tangent.setZero(size, size);

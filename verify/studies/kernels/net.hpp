@@ -8,9 +8,9 @@
 
 namespace halfway::verify {
 
-/// Joints of one model between turned and moved nodes: nodes that many share, two fixed ones, joints from a node
-/// to itself and between the fixed ones, pairs of joints between the same two nodes, one of them the other way
-/// round. Ends: third turns and offsets of order one.
+/// Joints of one model between turned and moved nodes: nodes that many share, two fixed ones, joints from a
+/// node to itself and between the fixed ones, pairs of joints between the same two nodes, one of them the
+/// other way round. Ends: third turns and offsets of order one.
 struct Net {
   const Entry* entry;
   std::vector<reference::QuaternionPose<double>> poses;
