@@ -67,10 +67,10 @@ void include_sums(const Assembled& value, const Pattern& pattern, const Exact& e
   }
 }
 
-/// 5e-15 of a single joint, as a batch's; a node here has up to a dozen joints, whose errors add at random.
-constexpr double kSumLimit = 2e-14;
+constexpr double kSumLimit = 5e-15;
 constexpr const char* kSumReason =
-    "of the largest joint's scale: 5e-15 as a single joint of a batch, up to a dozen of them in one sum";
+    "of the largest joint's scale, as single joints of a batch; the errors of up to a dozen in a sum add at "
+    "random";
 
 /// What is in memory before: of angular joints in blocks of six the rest of a block is left as it is.
 double before(const batch::Model& model, const Form& form) {
