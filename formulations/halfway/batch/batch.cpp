@@ -160,9 +160,7 @@ void Batch::multiply(const Joints<double>& joints, const Results<double>& compre
   detail::spreadings(widest_)->compressing(rows).multiply(unpacking(joints, compressed, rows, product));
 }
 
-bool Batch::has_potential() const {
-  return entry_named(model_.formulation).has_potential[int(model_.kind)];
-}
+bool Batch::has_potential() const { return entry_named(model_.formulation).has_potential[int(model_.kind)]; }
 
 detail::PackLoop Batch::loop(Output output, bool ends) const {
   const Code<double> c = code<double>(output);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -223,7 +224,6 @@ Finding two_models() {
 template <int options>
 Eigen::SparseMatrix<double, options> by_triplets(const Net& net) {
   std::vector<Eigen::Triplet<double>> entries;
-  long size = 0;
   for (std::size_t i = 0; i < net.joints.size(); ++i) {
     const int row[] = {net.rows[net.nodes[i].a], net.rows[net.nodes[i].b]};
     for (int r = 0; r < 12; ++r) {
@@ -234,7 +234,7 @@ Eigen::SparseMatrix<double, options> by_triplets(const Net& net) {
       }
     }
   }
-  for (const int row : net.rows) size = std::max(size, 6L * (row + 1));
+  const long size = 6 * std::ranges::count_if(net.rows, [](int row) { return row != assemble::kFixed; });
   Eigen::SparseMatrix<double, options> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
