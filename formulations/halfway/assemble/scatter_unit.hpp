@@ -111,24 +111,39 @@ struct Lanes {
   long long keep[lanes];
 };
 
-/// `size` numbers from `first` on, of lanes `lane` ...: sources.of(k) for k = first ...
+template <int size>
+struct SourceList {
+  Source at[size];
+  bool negative;
+};
+/// Numbers first .. first + size, Sources::of(k) each: found when this is compiled, so that no function
+/// without a set of instructions in its name is called.
+template <class Sources, int first, int size>
+inline constexpr SourceList<size> kSources = [] {
+  SourceList<size> list{};
+  for (int k = 0; k < size; ++k) {
+    list.at[k] = Sources::of(first + k);
+    list.negative |= list.at[k].negative;
+  }
+  return list;
+}();
+
+/// Those numbers, of all lanes.
 template <class Isa, Put put, class Sources, int first, int size, int lanes, class Address>
 HALFWAY_INLINE void put_group(const double* rows, long row_length, const Lanes<lanes>& targets,
                               const Address& address) {
   using Vec = Vector<Isa, size>;
+  constexpr const SourceList<size>& sources = kSources<Sources, first, size>;
   typename Vec::Bits signs{};
-  bool negative = false;
-  for (int k = 0; k < size; ++k) {
-    if (Sources::of(first + k).negative) signs[k] = -0x7fffffffffffffffLL - 1, negative = true;
-  }
+  for (int k = 0; k < size; ++k) signs[k] = sources.at[k].negative ? -0x7fffffffffffffffLL - 1 : 0;
   for (int lane = 0; lane < lanes; lane += size) {
     const double* p[size];
-    for (int k = 0; k < size; ++k) p[k] = rows + Sources::of(first + k).row * row_length + lane;
+    for (int k = 0; k < size; ++k) p[k] = rows + sources.at[k].row * row_length + lane;
     typename Vec::V numbers[size];
     transpose<Isa>(p, numbers);
     for (int l = 0; l < size; ++l) {
-      const typename Vec::V v =
-          negative ? typename Vec::V(typename Vec::Bits(numbers[l]) ^ signs) : numbers[l];
+      typename Vec::V v = numbers[l];
+      if constexpr (sources.negative) v = typename Vec::V(typename Vec::Bits(v) ^ signs);
       put_at<put, Vec>(address(targets, lane + l), v, targets.keep[lane + l]);
     }
   }
@@ -187,7 +202,7 @@ HALFWAY_INLINE void put_block(const double* rows, long row_length, const Lanes<l
 /// Block (i, j) of the joints of `lanes` lanes from `lane` on.
 template <class Isa, Shape shape, int i, int j, int lanes>
 HALFWAY_INLINE void put_blocks(const PackResults& pack, int lane) {
-  constexpr int k = 2 * i + j;
+  constexpr int k = 2 * i + j, stored = transposed(shape) ? j : i;
   Lanes<lanes> targets;
   bool some = false, all_first = true;
   for (int l = 0; l < lanes; ++l) {
@@ -195,7 +210,7 @@ HALFWAY_INLINE void put_blocks(const PackResults& pack, int lane) {
     const bool is_there = p.block[k] >= 0, first = (p.first & pack.firsts) >> k & 1;
     some |= is_there, all_first &= first;
     targets.to[l] = is_there ? pack.values + p.block[k] : pack.nowhere;
-    targets.stride[l] = is_there ? p.stride[transposed(shape) ? j : i] : 0;
+    targets.stride[l] = is_there ? p.stride[stored] : 0;
     targets.keep[l] = first ? 0 : -1;
   }
   if (!some) return;
