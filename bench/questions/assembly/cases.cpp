@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <memory>
 #include <new>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace halfway::bench {
 
@@ -47,27 +50,34 @@ class Numbers {
   std::size_t count_;
 };
 
-/// Nodes, pattern, matrix, and one way to fill it.
+/// Nodes and where their joints go: made once for all ways.
+struct Ground {
+  Lattice lattice;
+  Pattern pattern;
+};
+std::shared_ptr<const Ground> ground(Kind kind, const Size& size, Form form) {
+  static std::map<std::tuple<Kind, int, int, Layout, Part>, std::shared_ptr<const Ground>> known;
+  auto& made = known[{kind, size.width, size.height, form.layout, form.part}];
+  if (made) return made;
+  form.unknowns = kind == Kind::angular ? 3 : 6;
+  Lattice joints = lattice(kind, size.width, size.height);
+  Pattern pattern(form, joints.rows, joints.joints);
+  return made = std::make_shared<const Ground>(Ground{std::move(joints), std::move(pattern)});
+}
+
+/// A matrix, and one way to fill it.
 class Work {
  public:
   Work(const Problem& p, const Size& size)
-      : lattice_(lattice(p.kind, size.width, size.height)),
-        pattern_(form_of(p), lattice_.rows, lattice_.joints),
-        residual(pattern_.unknown_count()),
-        values(pattern_.value_count()),
-        assemble_(p.way(lattice_, pattern_)) {}
+      : ground_(ground(p.kind, size, p.form)),
+        residual(pattern().unknown_count()),
+        values(pattern().value_count()),
+        assemble_(p.way(ground_->lattice, pattern())) {}
   void run() { assemble_(residual, values); }
-  const Pattern& pattern() const { return pattern_; }
-  const Lattice& joints() const { return lattice_; }
+  const Pattern& pattern() const { return ground_->pattern; }
 
  private:
-  static Form form_of(const Problem& p) {
-    Form form = p.form;
-    form.unknowns = p.kind == Kind::angular ? 3 : 6;
-    return form;
-  }
-  Lattice lattice_;
-  Pattern pattern_;
+  std::shared_ptr<const Ground> ground_;
 
  public:
   Numbers residual, values;
