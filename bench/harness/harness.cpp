@@ -12,6 +12,7 @@
 #include "bench/harness/case.hpp"
 #include "bench/harness/context.hpp"
 #include "bench/harness/timing.hpp"
+#include "bench/peak/parallel.hpp"
 
 namespace halfway::bench {
 namespace {
@@ -145,12 +146,14 @@ Run run(const Options& options, const std::function<void(int, int, const std::st
     checked(c);
   }
   const Peaks before = measured_peaks();
+  const double parallel = measured_parallel();
   benchmark::RunSpecifiedBenchmarks(&collector, options.filter);
   json.finish();
 
   Run out;
   out.context = context();
   out.peaks = larger(before, measured_peaks());
+  out.parallel = std::min(parallel, measured_parallel());
   for (const Case& c : cases) out.timings.push_back(collector.timings().at(c.name));
   return out;
 }

@@ -15,13 +15,15 @@ struct Label {
   std::string name;  ///< unique, e.g. invariant/angular/residual
   std::string formulation;
   std::string kind;  ///< angular, linear, linear_angular
-  std::string what;  ///< residual, residual_tangent, product (J v), equilibrium_newton, equilibrium_gsl
-  std::string implementation = "reference";  ///< reference (Eigen transcription), kernel, batch, competitor
-  std::string precision = "double";          ///< double, float
-  std::string isa;                           ///< instruction set of a batch: sse2, avx2, avx2vl, avx512
+  /// residual, residual_tangent, product (J v), assembly, equilibrium_newton, equilibrium_gsl
+  std::string what;
+  /// reference (Eigen transcription), kernel, batch, assemble, textbook, competitor
+  std::string implementation = "reference";
+  std::string precision = "double";  ///< double, float
+  std::string isa;                   ///< instruction set of a batch: sse2, avx2, avx2vl, avx512
   std::string variant;  ///< approximation or extra of a kernel, e.g. order_2, log_10, compensated
   std::string method;   ///< of the tangent: analytic, dual, complex_step, forward, central, ...
-  int joints = 0;       ///< in one call of a batch
+  int joints = 0;       ///< in one call of a batch or assembly
   int threads = 0;      ///< that shared a batch
 };
 
@@ -60,7 +62,8 @@ struct Context {
 struct Run {
   Context context;
   std::vector<Timing> timings;
-  Peaks peaks;  ///< the larger of before and after the timings
+  Peaks peaks;          ///< the larger of before and after the timings
+  double parallel = 0;  ///< of two threads over one (parallel.hpp), the smaller of before and after
 };
 
 struct Options {

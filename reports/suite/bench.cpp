@@ -60,10 +60,11 @@ void print_table(const bench::Run& run) {
 
 void print_targets(const bench::Run& run) {
   print(fmt::format("\n{:<84} {:>8} {:>10}\n", "target (ratios within this run)", "value", "limit"));
-  for (const Target& t : speed_targets(run.timings, run.peaks)) {
+  for (const Target& t : speed_targets(run)) {
     const std::string limit = fmt::format("{} {:.2f}", t.at_least ? ">=" : "<=", t.limit);
     if (std::isnan(t.value))
-      print(fmt::format("{:<84} {:>8} {:>10}  not timed\n", t.name, "-", limit));
+      print(fmt::format("{:<84} {:>8} {:>10}  {}\n", t.name, "-", limit,
+                        t.note.empty() ? "not timed" : t.note));
     else
       print(fmt::format("{:<84} {:>8.2f} {:>10}  {}\n", t.name, t.value, limit, t.met() ? "met" : t.note));
   }

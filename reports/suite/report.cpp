@@ -113,14 +113,14 @@ void time_all(const ReportOptions& options, Results& results) {
     bench_options.filter = kQuickBenchmarks;
     results.left_out.push_back({"times of batches, variants, methods and equilibria", kQuickReason});
   }
-  bench::Run run = bench::run(bench_options, Progress("timing"));
+  const bench::Run run = bench::run(bench_options, Progress("timing"));
   results.context = run.context;
-  results.timings = std::move(run.timings);
+  results.timings = run.timings;
   for (const auto& timing : results.timings) {
     if (timing.wrong) results.left_out.push_back({timing.name, "not timed: " + timing.message});
   }
   for (const auto& [what, reason] : bench::skipped()) results.left_out.push_back({what, reason});
-  results.speed = speed_record(results, run.peaks);
+  results.speed = speed_record(results, run);
 }
 
 int count(const Results& results, reference::Verdict verdict) {

@@ -36,10 +36,10 @@ static void to_json(nlohmann::json& json, const Target& t) {
           {"note", t.note}};
 }
 
-nlohmann::json speed_record(const Results& results, const bench::Peaks& peaks) {
-  return {{"peaks", peaks},
+nlohmann::json speed_record(const Results& results, const bench::Run& run) {
+  return {{"peaks", run.peaks},
           {"bandwidth", bench::measured_bandwidths()},
-          {"targets", speed_targets(results.timings, peaks)},
+          {"targets", speed_targets(run)},
           {"published", bench::published()},
           {"cheapest", cheapest(results)},
           {"instructions", bench::kept_instructions()}};

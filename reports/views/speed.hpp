@@ -1,13 +1,12 @@
 // Limits of the machine, targets and choices: the object `speed` of results.json, see SCHEMA.md.
 #pragma once
 
-#include "bench/peak/peak.hpp"
 #include "reports/views/results.hpp"
 
 namespace halfway::reports {
 
 /// Measures bandwidths in this process and holds the run's timings against its peaks and the targets.
-nlohmann::json speed_record(const Results& results, const bench::Peaks& peaks);
+nlohmann::json speed_record(const Results& results, const bench::Run& run);
 
 /// One target: a ratio of two medians of this run, or an error.
 struct Target {
@@ -19,7 +18,8 @@ struct Target {
   bool met() const { return at_least ? value >= limit : value <= limit; }
 };
 
-/// The targets of the kernels and batches, in the order of the table.
-std::vector<Target> speed_targets(const std::vector<bench::Timing>& timings, const bench::Peaks& peaks);
+/// The targets of the kernels, batches and assemblies, in the order of the table. Those of several threads
+/// have no value where others are at work on the cores.
+std::vector<Target> speed_targets(const bench::Run& run);
 
 }  // namespace halfway::reports

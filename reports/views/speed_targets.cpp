@@ -1,6 +1,8 @@
 // The targets of speed: each a ratio of medians within one run.
 #include "reports/views/speed.hpp"
 
+#include "bench/peak/parallel.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +40,7 @@ double ratio(const std::vector<Timing>& timings, const Pick& over, const Pick& u
 
 class Table {
  public:
-  Table(const std::vector<Timing>& timings, const bench::Peaks& peaks) : timings_(timings), peaks_(peaks) {}
+  explicit Table(const bench::Run& run) : timings_(run.timings), peaks_(run.peaks), parallel_(run.parallel) {}
 
   /// Kernel against the readable transcription, both with tangent, joint points and frames on both ends.
   void against_reference(const std::string& kind, double limit) {
@@ -139,10 +141,22 @@ class Table {
                    .isa = best_isa(),
                    .joints = kMany,
                    .threads = 1};
-    Pick two = one;
-    two.threads = 2;
-    add({fmt::format("two threads against one, {} joints, wall time", kMany), ratio(timings_, one, two), 1.8,
-         true, ""});
+    two_threads(fmt::format("two threads against one, {} joints, wall time", kMany), one);
+  }
+
+  /// From poses to a sparse matrix, from memory: how many times as long as `assemble` this way takes.
+  void assembly(const std::string& kind, const std::string& way, const std::string& implementation,
+                double limit) {
+    const Pick other{"invariant", kind,    "assembly", implementation, "", isa_of(implementation),
+                     "double",    kLattice};
+    add({fmt::format("{} invariant, poses to a sparse matrix, {} joints: {} / assemble", label(kind),
+                     kLattice, way),
+         ratio(timings_, other, assembled(kind, "")), limit, true, ""});
+  }
+
+  void assembly_threads() {
+    two_threads(fmt::format("assemble, two threads against one, {} joints, wall time", kLattice),
+                assembled("linear_angular", "wall"));
   }
 
   void statics() {
@@ -154,7 +168,7 @@ class Table {
 
   std::vector<Target> take() { return std::move(targets_); }
 
-  static constexpr int kInCache = 256, kMany = 100000;
+  static constexpr int kInCache = 256, kMany = 100000, kLattice = 99904;
 
  private:
   const Timing* in_cache(const std::string& formulation, const std::string& kind, const std::string& what,
@@ -167,6 +181,25 @@ class Table {
                            .isa = best_isa(),
                            .joints = joints});
   }
+  Pick assembled(const std::string& kind, const std::string& variant) const {
+    return {"invariant", kind, "assembly", "assemble", variant, best_isa(), "double", kLattice};
+  }
+  std::string isa_of(const std::string& implementation) const {
+    return implementation == "batch" ? best_isa() : "";
+  }
+  void two_threads(const std::string& name, const Pick& one) {
+    Pick two = one;
+    two.threads = 2;
+    const double gain = ratio(timings_, one, two);
+    if (parallel_ < bench::kIdle && std::isfinite(gain)) {
+      add({name, kMissing, kTwoThreads, true,
+           fmt::format("not measurable: two idle loops gained {:.2f}, others are at work on the cores",
+                       parallel_)});
+    } else {
+      add({name, gain, kTwoThreads, true, ""});
+    }
+  }
+  static constexpr double kTwoThreads = 1.8;
   static std::string label(const std::string& kind) {
     return kind == "linear_angular" ? "linear/angular" : kind;
   }
@@ -190,13 +223,14 @@ class Table {
 
   const std::vector<Timing>& timings_;
   const bench::Peaks& peaks_;
+  const double parallel_;
   std::vector<Target> targets_;
 };
 
 }  // namespace
 
-std::vector<Target> speed_targets(const std::vector<Timing>& timings, const bench::Peaks& peaks) {
-  Table table(timings, peaks);
+std::vector<Target> speed_targets(const bench::Run& run) {
+  Table table(run);
 #ifdef __clang__
   table.against_reference("angular", 4), table.against_reference("linear", 3);
 #else
@@ -220,7 +254,10 @@ std::vector<Target> speed_targets(const std::vector<Timing>& timings, const benc
   table.cheapest_kernel(20), table.cheapest("angular", 4), table.cheapest("linear_angular", 18);
   table.compressed("linear", 20);
   table.registers("angular", 1.1), table.registers("linear_angular", 1.1);
-  table.threads();
+  table.assembly("linear_angular", "scalar kernel", "kernel", 2.2);
+  table.assembly("linear_angular", "textbook", "textbook", 9);
+  table.assembly("linear_angular", "whole table of a batch", "batch", 2.8);
+  table.threads(), table.assembly_threads();
   table.statics();
   return table.take();
 }

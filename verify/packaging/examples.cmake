@@ -1,5 +1,5 @@
 # Builds formulations/examples in their own project against an installed library, runs each and compares what
-# it prints; README shows thousand_joints.cpp.
+# it prints; README shows sparse_matrix.cpp.
 #   cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCXX=... -DPROGRAM=... -DREADME=... -P examples.cmake
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${WORK}")
@@ -22,7 +22,7 @@ function(compare name)
     set(wrong "${wrong}\n${name} (exit ${failed}) printed\n${printed}instead of\n${expected}" PARENT_SCOPE)
   endif()
 endfunction()
-foreach(name IN ITEMS one_joint thousand_joints equilibrium own_law)
+foreach(name IN ITEMS one_joint thousand_joints sparse_matrix equilibrium own_law)
   compare(${name} "${WORK}/build/${name}")
 endforeach()
 compare(eval "${WORK}/build/eval" "${PROGRAM}")
@@ -38,11 +38,11 @@ else()
 endif()
 
 file(READ "${README}" readme)
-file(READ "${SOURCE}/thousand_joints.cpp" program)
+file(READ "${SOURCE}/sparse_matrix.cpp" program)
 string(STRIP "${program}" program)
 string(FIND "${readme}" "${program}" found)
 if(found EQUAL -1)
-  set(wrong "${wrong}\nREADME.md does not show formulations/examples/thousand_joints.cpp")
+  set(wrong "${wrong}\nREADME.md does not show formulations/examples/sparse_matrix.cpp")
 endif()
 if(wrong)
   message(FATAL_ERROR "${wrong}")

@@ -60,11 +60,10 @@ detail::Evaluate<T> function(const detail::Functions<T>& f, Output output) {
   return output == Output::residual ? f.residual : output == Output::product ? f.product : f.tangent;
 }
 
-/// The same function, or its lean twin where this call can do with it.
+/// The same function, or its lean twin where joints can do with it.
 template <class T>
-detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawForm law,
-                            const Joints<T>& joints) {
-  const bool lean = law == LawForm::linear && joints.a == nullptr && output != Output::product;
+detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawForm law, bool ends) {
+  const bool lean = law == LawForm::linear && !ends && output != Output::product;
   const auto twin = output == Output::residual     ? f.lean_residual
                     : output == Output::compressed ? f.lean_compressed
                                                    : f.lean_tangent;
@@ -120,7 +119,7 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
                                 (sizeof(T) == 4 ? "float" : "double") +
                                 ": this output is not built for the instruction sets in use");
   }
-  const auto f = leanest(*c.functions, output, model_.law, joints);
+  const auto f = leanest(*c.functions, output, model_.law, joints.a != nullptr);
   const int rows = output == Output::compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
   const bool direct = output == Output::compressed && f == c.functions->lean_compressed;
   const auto spread_by = [&](bool past_caches) {
@@ -159,6 +158,13 @@ void Batch::multiply(const Joints<double>& joints, const Results<double>& compre
                      const Columns<double>& product) const {
   const int rows = compressed_rows(model_);
   detail::spreadings(widest_)->compressing(rows).multiply(unpacking(joints, compressed, rows, product));
+}
+
+bool Batch::has_potential() const { return entry_named(model_.formulation).has_potential[int(model_.kind)]; }
+
+detail::PackLoop Batch::loop(Output output, bool ends) const {
+  const Code<double> c = code<double>(output);
+  return {leanest(*c.functions, output, model_.law, ends), bytes(c.isa) / int(sizeof(double))};
 }
 
 template bool Batch::has<double>(Output) const;

@@ -139,6 +139,12 @@ class Batch {
   Isa isa(Output output) const;
 
   const Model& model() const { return model_; }
+  /// Is there an energy whose derivative the loads are? The tangent is then symmetric but for the bracket of
+  /// spins.
+  bool has_potential() const;
+  /// For code that fills and empties packs itself (assemble): the loop over whole packs of `lanes` doubles,
+  /// for joints with ends or without.
+  detail::PackLoop loop(Output output, bool ends) const;
 
  private:
   template <class T>
@@ -159,5 +165,14 @@ class Batch {
 /// end alone, tables that an output needs and that are missing. Throws std::invalid_argument.
 template <class T>
 void validate(const Model& model, const Joints<T>& joints, const Results<T>& results, Output output);
+/// Of the same, what is said of the laws' numbers and of the ends: no pose and no result is looked at.
+template <class T>
+void validate_laws(const Model& model, const Joints<T>& joints);
+
+namespace detail {
+/// The length of a quaternion that is not one of a rotation, a NaN too.
+template <class T>
+std::optional<double> wrong_length(const T (&q)[4]);
+}  // namespace detail
 
 }  // namespace halfway::batch

@@ -17,7 +17,8 @@ struct Entry {
   const void* served[3];                ///< identity of the kernel that serves it, by kind
   const Unit* units[std::size(kIsas)];  ///< by instruction set; nullptr: not built
   bool needs_xi;
-  int compressed[3];  ///< Batch::compressed_rows(), by kind
+  int compressed[3];      ///< Batch::compressed_rows(), by kind
+  bool has_potential[3];  ///< by kind
 };
 
 template <class T>

@@ -45,14 +45,10 @@ void finite(const char* name, const Columns<const T>& c, int rows, long count) {
   }
 }
 
-/// A kernel takes |q| = 1 for granted: what it is off appears in the loads. 2^12 eps leave an integrator
-/// room.
 template <class T>
 void unit_length(const std::string& where, const T (&q)[4]) {
-  const double n = std::hypot(std::hypot(double(q[0]), double(q[1])), std::hypot(double(q[2]), double(q[3])));
-  if (std::abs(n - 1) > 4096 * double(std::numeric_limits<T>::epsilon())) {
-    refuse(where + " is a quaternion of length " + number(n) + ", not 1");
-  }
+  if (const auto n = detail::wrong_length(q))
+    refuse(where + " is a quaternion of length " + number(*n) + ", not 1");
 }
 
 template <class T>
@@ -81,19 +77,33 @@ void inputs(const Model& model, const Joints<T>& j, Output output) {
   if (model.xi && !std::isfinite(*model.xi)) refuse("xi is " + number(*model.xi));
   quaternions("q_a", j.q_a, j.count), quaternions("q_b", j.q_b, j.count);
   if (model.kind != Kind::angular) finite("x_a", j.x_a, 3, j.count), finite("x_b", j.x_b, 3, j.count);
-  finite("law", j.law, law_rows(model.kind, model.law), j.law_per_joint ? j.count : 1);
   if (output == Output::product) finite("direction", j.direction, direction_rows(model.kind), j.count);
-  if ((j.a == nullptr) != (j.b == nullptr)) refuse("an end is given for one node alone");
-  if (j.a != nullptr) end("end a", *j.a), end("end b", *j.b);
 }
 
 }  // namespace
+
+/// A kernel takes |q| = 1 for granted: what it is off appears in the loads. 2^12 eps leave an integrator
+/// room.
+template <class T>
+std::optional<double> detail::wrong_length(const T (&q)[4]) {
+  const double n = std::hypot(std::hypot(double(q[0]), double(q[1])), std::hypot(double(q[2]), double(q[3])));
+  if (std::abs(n - 1) <= 4096 * double(std::numeric_limits<T>::epsilon())) return {};
+  return n;
+}
+
+template <class T>
+void validate_laws(const Model& model, const Joints<T>& j) {
+  finite("law", j.law, law_rows(model.kind, model.law), j.law_per_joint ? j.count : 1);
+  if ((j.a == nullptr) != (j.b == nullptr)) refuse("an end is given for one node alone");
+  if (j.a != nullptr) end("end a", *j.a), end("end b", *j.b);
+}
 
 template <class T>
 void validate(const Model& model, const Joints<T>& joints, const Results<T>& results, Output output) {
   if (output == Output::tangent_144 && model.kind == Kind::angular)
     refuse("an angular joint has no 144 entries");
   inputs(model, joints, output);
+  validate_laws(model, joints);
   has_room("loads", results.loads, load_rows(model.kind), joints.count);
   if (output == Output::compressed) {
     const int kept = Batch::compressed_rows(model);
@@ -107,5 +117,9 @@ void validate(const Model& model, const Joints<T>& joints, const Results<T>& res
 
 template void validate(const Model&, const Joints<double>&, const Results<double>&, Output);
 template void validate(const Model&, const Joints<float>&, const Results<float>&, Output);
+template void validate_laws(const Model&, const Joints<double>&);
+template void validate_laws(const Model&, const Joints<float>&);
+template std::optional<double> detail::wrong_length(const double (&)[4]);
+template std::optional<double> detail::wrong_length(const float (&)[4]);
 
 }  // namespace halfway::batch

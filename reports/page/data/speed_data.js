@@ -33,7 +33,8 @@ export const WHAT = {
   residual_tangent: 'with tangent',
   residual_tangent_144: 'with tangent, 144 entries',
   residual_compressed: 'with compressed tangent',
-  product: 'product J v'
+  product: 'product J v',
+  assembly: 'poses to a sparse matrix'
 };
 const IMPLEMENTATION = {reference: 'transcription'};
 /** @param {string} key */

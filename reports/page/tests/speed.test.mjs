@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {isOwnTruth, tableOf, truthOf} from '../data/cheapest_data.js';
+import {rowsOf} from '../charts/speed/assembly_data.js';
+import {candidatesOf} from '../charts/speed/batch_size_data.js';
 import {kernelsOf, linesOf} from '../charts/speed/roofline_data.js';
 import {pointsOf, scenesOf} from '../charts/speed/work_precision_data.js';
 import {Results} from '../data.js';
@@ -122,4 +124,33 @@ test('the truth is not a candidate in silence', () => {
   const {tolerances, scenes} = tableOf([row({note}), row({tolerance: 1e-2, formulation: ''})]);
   assert.deepEqual(tolerances, [1e-2, 1e-4]);
   assert.equal(scenes[0].truth, 'invariant');
+});
+
+test('ways from poses to a matrix: in order, by place, threads and wall time apart', () => {
+  const json = fixture();
+  const way = (implementation, joints, rest = {}) =>
+    timing('invariant', 'angular', {what: 'assembly', implementation, joints, ...rest});
+  json.timings.push(
+    way('assemble', 8064),
+    way('assemble', 99904, {variant: 'wall', threads: 1}),
+    way('assemble', 99904, {threads: 2}),
+    way('batch', 8064),
+    way('batch', 99904),
+    way('textbook', 99904),
+    {...way('assemble', 8064, {variant: 'upper'}), formulation: 'fasse'},
+    way('kernel', 99904, {wrong: true})
+  );
+  const results = new Results(json);
+  assert.deepEqual(
+    rowsOf(results).map((r) => [r.way, r.place]),
+    [
+      ['textbook, Eigen', 'from memory'],
+      ['batch, whole table', 'in cache'],
+      ['batch, whole table', 'from memory'],
+      ['assemble', 'in cache'],
+      ['assemble, fasse, upper triangle', 'in cache']
+    ]
+  );
+  assert.deepEqual(candidatesOf(results), []);
+  assert.deepEqual(rowsOf(new Results(fixture())), []);
 });

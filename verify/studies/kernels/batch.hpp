@@ -4,7 +4,12 @@
 #include "halfway/batch/table.hpp"
 #include "reference/face/kernel_entry.hpp"
 #include "verify/oracle/property.hpp"
+#include "verify/oracle/saboteurs/tap.hpp"
 
+#include <algorithm>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace halfway::verify {
@@ -24,6 +29,9 @@ struct BatchJoint {
 /// @param ends  third turns and offsets of order one on both nodes; else none
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, batch::LawForm law, bool ends,
                                      bool single);
+
+/// Its loads and tangent at 50 digits, and what their errors are relative to.
+void solve(const Entry& entry, BatchJoint& joint);
 
 /// The same joints with laws that do not couple translation and rotation, which a batch may have a loop for.
 std::vector<BatchJoint> uncoupled(const Entry& entry, std::vector<BatchJoint> joints);
@@ -49,6 +57,18 @@ using batch::kIsas;
 
 /// batch/NAME: a count of what is wrong, of which there may be none.
 Finding counted(const std::string& name, double wrong, const std::string& reason);
+
+/// 1 if nothing is thrown, or a message that lacks one of the words.
+template <class Call>
+int silent(const Call& call, std::initializer_list<const char*> words) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    const std::string message = tapped(std::string(error.what()));
+    return std::ranges::any_of(words, [&](const char* word) { return message.find(word) == message.npos; });
+  }
+  return 1;
+}
 
 const Entry& invariant();
 

@@ -16,18 +16,6 @@ namespace {
 using batch::Batch, batch::Isa, batch::LawForm, batch::Output;
 using Tables = BatchTables<double>;
 
-/// 1 if nothing is thrown, or a message that lacks one of the words.
-template <class Call>
-int silent(const Call& call, std::initializer_list<const char*> words) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    const std::string message = tapped(std::string(error.what()));
-    return std::ranges::any_of(words, [&](const char* word) { return message.find(word) == message.npos; });
-  }
-  return 1;
-}
-
 /// Spoilt calls of a plan of three joints of two kinds: each is refused by name.
 int refused_plans() {
   const std::vector<batch::Member> members = {{{.formulation = "invariant"}},

@@ -59,14 +59,6 @@ const std::vector<double>& steepnesses(const Entry& entry, const std::vector<Bat
   });
 }
 
-void solve(const Entry& entry, BatchJoint& j) {
-  const auto a = reference::exact_pose(j.a), b = reference::exact_pose(j.b);
-  j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
-  const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
-  const double loads = double(largest_entry<Real50>(j.exact.q));
-  j.scale = larger(stiffness(j) * larger(strain, kPlain), loads);
-}
-
 template <class T>
 void round_to(reference::QuaternionPose<double>& p) {
   p.x = p.x.cast<T>().template cast<double>();
@@ -121,6 +113,14 @@ std::vector<BatchJoint> posed(const Entry& entry, Kind kind, LawForm law, bool e
 }
 
 }  // namespace
+
+void solve(const Entry& entry, BatchJoint& j) {
+  const auto a = reference::exact_pose(j.a), b = reference::exact_pose(j.b);
+  j.exact = reference::node_loads<Real50>(entry, j.spec, a, b, true);
+  const double strain = double(Real50(entry.in_real50.strain(j.spec, a, b).norm()));
+  const double loads = double(largest_entry<Real50>(j.exact.q));
+  j.scale = larger(stiffness(j) * larger(strain, kPlain), loads);
+}
 
 std::vector<BatchJoint> batch_joints(const Entry& entry, Kind kind, LawForm law, bool ends, bool single) {
   std::vector<BatchJoint> out = sampled(posed(entry, kind, law, ends, single), 6);

@@ -100,6 +100,12 @@ struct Spreadings {
   }
 };
 
+/// A loop and how many joints it takes at a time.
+struct PackLoop {
+  Evaluate<double> evaluate;
+  int lanes;
+};
+
 /// One formulation in one instruction set, by kind. Constant data: asking for it runs no instruction
 /// of that set.
 struct Unit {

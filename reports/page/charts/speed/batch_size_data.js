@@ -11,7 +11,7 @@ import {
   whatLabel
 } from '../../data/speed_data.js';
 
-const isCandidate = (t) => t.implementation === 'batch' && t.joints > 0 && usable(t);
+const isCandidate = (t) => t.implementation === 'batch' && t.what !== 'assembly' && t.joints > 0 && usable(t);
 /** What comes out, and by which variant; batches are timed with joint points and frames at the nodes. */
 const outputOf = (t) =>
   [t.what, t.variant === 'no_ends' ? '' : t.variant || 'with_ends'].filter(Boolean).join(' ');

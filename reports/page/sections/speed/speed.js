@@ -1,4 +1,5 @@
 // How fast? What to use, what accuracy costs, how near to the hardware's limit; in order of use.
+import {assemblyFigure} from '../../charts/speed/assembly.js';
 import {batchSizeFigure} from '../../charts/speed/batch_size.js';
 import {digitsFigure} from '../../charts/stability/digits.js';
 import {rooflineFigure} from '../../charts/speed/roofline.js';
@@ -47,6 +48,12 @@ export const speedParts = (results, kind) => [
     title: 'Cost against the number of joints',
     charts: ['batch-size'],
     build: () => batchSizeFigure(results)
+  },
+  {
+    id: 'assembly',
+    title: 'From poses to a sparse matrix',
+    charts: ['assembly'],
+    build: () => assemblyFigure(results)
   },
   {
     id: 'roofline',
