@@ -1,178 +1,184 @@
 #include "reports/eval/eval_parse.hpp"
 
+#include "reports/eval/json_scanner.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfway::reports {
 namespace {
 
-using nlohmann::json;
 using reference::DocumentNode;
 using reference::Refusal;
 using Type = DocumentNode::Type;
 
-constexpr int kNumberOverflow = 406;  // of nlohmann::json
-
-std::string quoted(const std::string& text) { return json(text).dump(); }
-
-/// A value as JSON, numbers as they came: an id may be larger than any integer type.
-std::string json_text(const DocumentNode& node) {
-  switch (node.type) {
-    case Type::text:
-      return quoted(node.text);
-    case Type::number:
-      return node.text;
-    case Type::boolean:
-      return node.boolean ? "true" : "false";
-    case Type::table:
-    case Type::array:
-      break;
-    default:
-      return "null";
-  }
-  const bool is_table = node.type == Type::table;
+/// Without the spaces between its values: an answer is one line for every reader.
+std::string without_spaces(std::string_view json) {
   std::string out;
-  for (std::size_t i = 0; i < node.items.size(); ++i) {
-    if (i > 0) out += ',';
-    if (is_table) out += quoted(node.keys[i]) + ':';
-    out += json_text(node.items[i]);
+  bool in_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') in_text = !in_text;
+    if (in_text && c == '\\') out += json[i++];
+    if (in_text || (c != ' ' && c != '\t' && c != '\r' && c != '\n')) out += json[i];
   }
-  return is_table ? '{' + out + '}' : '[' + out + ']';
+  return out;
 }
 
-/// The first key that an object has twice, if any.
-std::optional<std::string> repeated(std::vector<std::string> keys) {
-  std::ranges::sort(keys);
-  const auto twin = std::ranges::adjacent_find(keys);
-  if (twin == keys.end()) return std::nullopt;
-  return *twin;
-}
-
-std::string cut(std::string_view text) {
-  constexpr std::size_t kLongest = 160;
-  return std::string(text.substr(0, kLongest)) + (text.size() > kLongest ? "..." : "");
-}
-
-/// Builds the tree from the parser's events. A handler of our own, because the library's gives neither a
-/// depth limit nor the place where a number overflowed nor what was read before an error.
-class Builder : public nlohmann::json_sax<json> {
+/// Builds the tree, bounded in depth and size.
+class Builder {
  public:
-  bool null() override { return add({.type = Type::nothing}); }
-  bool boolean(bool value) override { return add({.type = Type::boolean, .boolean = value}); }
-  bool number_integer(number_integer_t value) override { return add_number(value, fmt::format("{}", value)); }
-  bool number_unsigned(number_unsigned_t value) override {
-    return add_number(value, fmt::format("{}", value));
-  }
-  bool number_float(number_float_t value, const string_t& written) override {
-    return add_number(value, written);
-  }
-  bool string(string_t& value) override { return add({.type = Type::text, .text = std::move(value)}); }
-  bool binary(binary_t&) override { return false; }  // not in text
-  bool key(string_t& name) override {
-    open_.back()->keys.push_back(std::move(name));
-    return true;
-  }
-  bool start_object(std::size_t) override { return open(Type::table); }
-  bool start_array(std::size_t) override { return open(Type::array); }
-  bool end_array() override { return close(); }
-  bool end_object() override {
-    if (const auto key = repeated(open_.back()->keys)) {
-      open_.back()->keys.back() = *key;
-      return fail("duplicate_key", fmt::format("'{}' stands twice in one object", cut(*key)), path());
-    }
-    return close();
-  }
+  Builder(std::string_view text, ParsedLine& line)
+      : scanner_(text, line.document), line_(&line), document_(&line.document) {}
 
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& e) override {
-    if (e.id == kNumberOverflow)
-      return fail("not_finite", "a number is too large for double precision", path());
-    return fail("malformed_json", fmt::format("not JSON at byte {}: {}", position, cut(e.what())), "");
-  }
-
-  ParsedLine take() {
-    ParsedLine line{{std::move(root_), reference::kRequest}, "null", std::move(error_)};
-    const DocumentNode& root = line.document.root;
-    const auto id = std::ranges::find(root.keys, "id");
-    const auto i = std::size_t(id - root.keys.begin());
-    const bool is_whole = i < root.items.size() && !(open_.size() > 1 && i + 1 == root.items.size());
-    if (id != root.keys.end() && is_whole) line.id = json_text(root.items[i]);
-    return line;
+  void build() {
+    add_value({});
+    scanner_.demand_end();
   }
 
  private:
-  bool fail(const char* code, const std::string& message, const std::string& key) {
-    error_.emplace(code, message, key);
-    return false;
+  std::size_t add(const DocumentNode& node) {
+    if (document_->nodes.size() == kMostValues)
+      throw Refusal("too_many_values", fmt::format("a line of more than {} values", kMostValues), "");
+    return document_->add(node);
   }
 
-  bool add_number(double value, std::string written) {
-    return add({.type = Type::number, .number = value, .text = std::move(written)});
-  }
-
-  /// Into the innermost open container; a table has the key already.
-  bool add(DocumentNode value) {
-    if (++count_ > kMostValues)
-      return fail("too_many_values", fmt::format("a line of more than {} values", kMostValues), "");
-    if (open_.empty())
-      root_ = std::move(value);
-    else
-      open_.back()->items.push_back(std::move(value));
-    return true;
-  }
-
-  bool open(Type type) {
-    if (open_.size() == std::size_t(reference::kDeepestNesting)) {
-      return fail("too_deep", fmt::format("nested deeper than {} levels", reference::kDeepestNesting), "");
+  void add_value(std::string_view key) {
+    switch (const char c = scanner_.peek()) {
+      case '{':
+        return add_table(key);
+      case '[':
+        return add_array(key);
+      case '"':
+        add({.type = Type::text, .text = scanner_.text(), .key = key});
+        return;
+      case 't':
+      case 'f':
+        scanner_.demand_word(c == 't' ? "true" : "false");
+        add({.type = Type::boolean, .boolean = c == 't', .key = key});
+        return;
+      case 'n':
+        scanner_.demand_word("null");
+        add({.type = Type::nothing, .key = key});
+        return;
+      default:
+        if (c != '-' && (c < '0' || c > '9')) scanner_.refuse("expected a value");
+        return add_number(key);
     }
-    if (!add({.type = type})) return false;
-    open_.push_back(open_.empty() ? &root_ : &open_.back()->items.back());
-    return true;
   }
 
-  bool close() {
-    open_.pop_back();
-    return true;
-  }
-
-  /// Of the value being read.
-  std::string path() const {
-    std::string text;
-    for (const DocumentNode* level : open_) {
-      if (level->type == Type::array) {
-        const bool holds_next_level = level != open_.back();
-        text += fmt::format("[{}]", level->items.size() - holds_next_level);
-      } else if (!level->keys.empty()) {
-        text += (text.empty() ? "" : ".") + cut(level->keys.back());
-      }
+  void add_number(std::string_view key) {
+    double value = 0;
+    const std::string_view written = scanner_.number(value);
+    const std::size_t place = add({.type = Type::number, .number = value, .text = written, .key = key});
+    if (!std::isfinite(value)) {
+      throw Refusal("not_finite", "a number is too large for double precision", path_of(*document_, place));
     }
-    return text;
   }
 
-  DocumentNode root_;
-  std::vector<DocumentNode*> open_;  ///< each the last item of the one before: none of them moves
-  std::size_t count_ = 0;
-  std::optional<Refusal> error_;
+  std::size_t open(Type type, std::string_view key) {
+    if (depth_ == reference::kDeepestNesting) {
+      throw Refusal("too_deep", fmt::format("nested deeper than {} levels", reference::kDeepestNesting), "");
+    }
+    ++depth_;
+    return add({.type = type, .key = key});
+  }
+
+  void close(std::size_t place) {
+    document_->close(place);
+    --depth_;
+  }
+
+  void add_array(std::string_view key) {
+    scanner_.take('[');
+    const std::size_t place = open(Type::array, key);
+    if (!scanner_.take(']')) {
+      do add_item();
+      while (scanner_.take(','));
+      scanner_.demand(']', "expected ',' or ']'");
+    }
+    close(place);
+  }
+
+  /// Most are numbers.
+  void add_item() {
+    const char c = scanner_.peek();
+    c == '-' || (c >= '0' && c <= '9') ? add_number({}) : add_value({});
+  }
+
+  void add_table(std::string_view key) {
+    scanner_.take('{');
+    const std::size_t place = open(Type::table, key);
+    if (!scanner_.take('}')) {
+      do add_member();
+      while (scanner_.take(','));
+      scanner_.demand('}', "expected ',' or '}'");
+      refuse_twins(place);
+    }
+    close(place);
+  }
+
+  void add_member() {
+    if (scanner_.peek() != '"') scanner_.refuse("expected a key in quotes");
+    const std::string_view key = scanner_.text();
+    scanner_.demand(':', "expected ':'");
+    scanner_.peek();
+    const char* const begin = scanner_.place();
+    add_value(key);
+    if (depth_ != 1 || key != "id" || has_id_) return;
+    has_id_ = true;
+    line_->id = without_spaces({begin, std::size_t(scanner_.place() - begin)});
+  }
+
+  void refuse_twins(std::size_t table) {
+    const auto& nodes = document_->nodes;
+    members_.clear();
+    for (std::size_t item = table + 1; item < nodes.size(); item = nodes[item].end)
+      members_.emplace_back(nodes[item].key, item);
+    std::ranges::sort(members_);
+    const auto twin = std::ranges::adjacent_find(members_, {}, &Member::first);
+    if (twin == members_.end()) return;
+    const std::string path = path_of(*document_, std::next(twin)->second);
+    throw Refusal(
+        "duplicate_key",
+        fmt::format("'{}' stands twice in one object", reference::shortened(std::string(twin->first))), path);
+  }
+
+  using Member = std::pair<std::string_view, std::size_t>;
+
+  JsonScanner scanner_;
+  ParsedLine* line_;
+  reference::Document* document_;
+  int depth_ = 0;
+  bool has_id_ = false;
+  std::vector<Member> members_;  ///< of the object that is closed: one memory for all
 };
+
+void build(std::string_view text, ParsedLine& line) {
+  if (text.find_first_not_of(" \t\r") == std::string_view::npos)
+    throw Refusal("empty_line", "the line is empty; a request is one JSON object per line", "");
+  constexpr std::size_t kUsualBytes = 12;  // of a value with its commas and keys
+  line.document.nodes.reserve(std::min(kMostValues, 16 + text.size() / kUsualBytes));
+  Builder(text, line).build();
+  const Type type = line.document.nodes.front().type;
+  if (type != Type::table) {
+    throw Refusal("not_an_object",
+                  fmt::format("a request is a JSON object, found: {}", reference::type_name(type)), "");
+  }
+}
 
 }  // namespace
 
-ParsedLine parse_line(std::string_view line) {
-  if (line.find_first_not_of(" \t\r") == std::string_view::npos) {
-    return {
-        {}, "null", Refusal("empty_line", "the line is empty; a request is one JSON object per line", "")};
+ParsedLine parse_line(std::string_view text) {
+  ParsedLine line{{.dialect = reference::kRequest}};
+  try {
+    build(text, line);
+  } catch (Refusal& refusal) {
+    line.error = std::move(refusal);
   }
-  Builder builder;
-  json::sax_parse(line.begin(), line.end(), &builder);
-  ParsedLine parsed = builder.take();
-  const Type type = parsed.document.root.type;
-  if (!parsed.error && type != Type::table) {
-    parsed.error.emplace("not_an_object",
-                         fmt::format("a request is a JSON object, found: {}", reference::type_name(type)),
-                         "");
-  }
-  return parsed;
+  return line;
 }
 
 }  // namespace halfway::reports
