@@ -51,13 +51,14 @@ struct Document {
   std::size_t more_notes = 0;        ///< than those
   std::deque<std::string> texts{};   ///< those that stand nowhere as they are; none of them moves
 
-  /// The next value of what is open; it holds nothing, or not yet. @return its place
-  std::size_t add(DocumentNode node) {
-    const std::size_t place = nodes.size();
-    const bool holds = node.type == DocumentNode::Type::table || node.type == DocumentNode::Type::array;
-    node.end = holds ? 0 : unsigned(place + 1);
-    nodes.push_back(node);
-    return place;
+  /// The next value of what is open; it holds nothing, or not yet. Good until the next one.
+  DocumentNode& add(DocumentNode::Type type, std::string_view key) {
+    const bool holds = type == DocumentNode::Type::table || type == DocumentNode::Type::array;
+    DocumentNode& node = nodes.emplace_back();
+    node.type = type;
+    node.end = holds ? 0 : unsigned(nodes.size());
+    node.key = key;
+    return node;
   }
   /// Nothing more comes into it, the innermost that is open.
   void close(std::size_t place) { nodes[place].end = unsigned(nodes.size()); }

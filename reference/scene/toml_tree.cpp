@@ -57,37 +57,35 @@ void add_entries(const toml::table& table, int depth, Document& out) {
 }
 
 /// A value that holds no other.
-void set_value(const toml::node& node, Document& out, DocumentNode& value) {
+void add_value(const toml::node& node, std::string_view key, int line, Document& out) {
   using Type = DocumentNode::Type;
+  const auto add = [&](Type type) -> DocumentNode& {
+    DocumentNode& value = out.add(type, key);
+    value.line = line;
+    return value;
+  };
   if (const auto text = node.value_exact<std::string>()) {
-    value.type = Type::text;
-    value.text = out.keep(*text);
+    add(Type::text).text = out.keep(*text);
   } else if (node.is_number()) {
-    value.type = Type::number;
+    DocumentNode& value = add(Type::number);
     value.number = *node.value<double>();
     value.is_integer = node.is_integer();
     value.text = out.keep(written(node));
   } else if (const auto boolean = node.value_exact<bool>()) {
-    value.type = Type::boolean;
-    value.boolean = *boolean;
+    add(Type::boolean).boolean = *boolean;
   } else {
-    value.type = Type::date;
-    value.text = out.keep(written(node));
+    add(Type::date).text = out.keep(written(node));
   }
 }
 
 void add(const toml::node& node, std::string_view key, int depth, Document& out) {
-  DocumentNode value{.line = std::max<int>(1, int(node.source().begin.line)), .key = key};
-  if (depth > kDeepestNesting) refuse_depth(value.line);
+  const int line = std::max<int>(1, int(node.source().begin.line));
+  if (depth > kDeepestNesting) refuse_depth(line);
   const auto* table = node.as_table();
   const auto* array = node.as_array();
-  if (!table && !array) {
-    set_value(node, out, value);
-    out.add(value);
-    return;
-  }
-  if (array) value.type = DocumentNode::Type::array;
-  const std::size_t place = out.add(value);
+  if (!table && !array) return add_value(node, key, line, out);
+  const std::size_t place = out.nodes.size();
+  out.add(table ? DocumentNode::Type::table : DocumentNode::Type::array, key).line = line;
   if (table) add_entries(*table, depth, out);
   if (array) {
     for (const auto& item : *array) add(item, {}, depth + 1, out);

@@ -39,10 +39,10 @@ class Builder {
   }
 
  private:
-  std::size_t add(const DocumentNode& node) {
+  DocumentNode& add(Type type, std::string_view key) {
     if (document_->nodes.size() == kMostValues)
       throw Refusal("too_many_values", fmt::format("a line of more than {} values", kMostValues), "");
-    return document_->add(node);
+    return document_->add(type, key);
   }
 
   void add_value(std::string_view key) {
@@ -52,16 +52,16 @@ class Builder {
       case '[':
         return add_array(key);
       case '"':
-        add({.type = Type::text, .text = scanner_.text(), .key = key});
+        add(Type::text, key).text = scanner_.text();
         return;
       case 't':
       case 'f':
         scanner_.demand_word(c == 't' ? "true" : "false");
-        add({.type = Type::boolean, .boolean = c == 't', .key = key});
+        add(Type::boolean, key).boolean = c == 't';
         return;
       case 'n':
         scanner_.demand_word("null");
-        add({.type = Type::nothing, .key = key});
+        add(Type::nothing, key);
         return;
       default:
         if (c != '-' && (c < '0' || c > '9')) scanner_.refuse("expected a value");
@@ -70,11 +70,11 @@ class Builder {
   }
 
   void add_number(std::string_view key) {
-    double value = 0;
-    const std::string_view written = scanner_.number(value);
-    const std::size_t place = add({.type = Type::number, .number = value, .text = written, .key = key});
-    if (!std::isfinite(value)) {
-      throw Refusal("not_finite", "a number is too large for double precision", path_of(*document_, place));
+    DocumentNode& node = add(Type::number, key);
+    node.text = scanner_.number(node.number);
+    if (!std::isfinite(node.number)) {
+      throw Refusal("not_finite", "a number is too large for double precision",
+                    path_of(*document_, document_->nodes.size() - 1));
     }
   }
 
@@ -83,7 +83,8 @@ class Builder {
       throw Refusal("too_deep", fmt::format("nested deeper than {} levels", reference::kDeepestNesting), "");
     }
     ++depth_;
-    return add({.type = type, .key = key});
+    add(type, key);
+    return document_->nodes.size() - 1;
   }
 
   void close(std::size_t place) {
@@ -159,7 +160,7 @@ class Builder {
 void build(std::string_view text, ParsedLine& line) {
   if (text.find_first_not_of(" \t\r") == std::string_view::npos)
     throw Refusal("empty_line", "the line is empty; a request is one JSON object per line", "");
-  constexpr std::size_t kUsualBytes = 12;  // of a value with its commas and keys
+  constexpr std::size_t kUsualBytes = 8;  // of a value with its commas and keys
   line.document.nodes.reserve(std::min(kMostValues, 16 + text.size() / kUsualBytes));
   Builder(text, line).build();
   const Type type = line.document.nodes.front().type;

@@ -89,7 +89,9 @@ void read_poses(const Field& line, EvalRequest& request) {
     request.poses.push_back({pose_of(*line.find("a"), a), pose_of(*line.find("b"), b)});
     return;
   }
-  for (const Field pose : poses->items("an array of poses {a, b}, each node {x, q}")) {
+  const auto items = poses->items("an array of poses {a, b}, each node {x, q}");
+  request.poses.reserve(std::size_t(std::distance(items.begin(), items.end())));
+  for (const Field pose : items) {
     pose.has_only({"a", "b"});
     request.poses.push_back({read_pose(pose, "a", a), read_pose(pose, "b", b)});
   }

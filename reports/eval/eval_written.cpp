@@ -20,18 +20,17 @@ class Lists {
  public:
   explicit Lists(const EvalRequest& request) : request_(&request) {}
 
-  /// @param answer  nothing: null
-  void add(const std::optional<EvalAnswer>& answer) {
-    for (std::string* list : {&strain_, &loads_, &tangent_, &energy_}) {
-      if (has_items_) *list += ',';
-      if (!answer) *list += "null";
-    }
-    has_items_ = true;
-    if (!answer) return;
-    if (request_->strain) append_row(strain_, answer->strain);
-    if (request_->loads) append_row(loads_, answer->loads.q);
-    if (request_->tangent) append_rows(tangent_, answer->loads.tangent);
-    if (answer->energy) append_number(energy_, *answer->energy);
+  void add(const EvalAnswer& answer) {
+    begin_item();
+    if (request_->strain) append_row(strain_, answer.strain);
+    if (request_->loads) append_row(loads_, answer.loads);
+    if (request_->tangent) append_rows(tangent_, answer.tangent);
+    if (answer.energy) append_number(energy_, *answer.energy);
+  }
+
+  void add_null() {
+    begin_item();
+    for (std::string* list : {&strain_, &loads_, &tangent_, &energy_}) *list += "null";
   }
 
   void append_to(std::string& out) const {
@@ -46,6 +45,13 @@ class Lists {
   }
 
  private:
+  void begin_item() {
+    if (has_items_) {
+      for (std::string* list : {&strain_, &loads_, &tangent_, &energy_}) *list += ',';
+    }
+    has_items_ = true;
+  }
+
   void append_member(std::string& out, const char* name, const std::string& items) const {
     out += name;
     if (request_->is_block) out += '[';
@@ -84,11 +90,14 @@ std::string written_answer(std::string_view id, const EvalRequest& request,
   const Evaluator evaluate(request);
   Lists lists(request);
   std::string errors;
+  EvalAnswer answer;
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
-    const auto answer = evaluate(request.poses[i]);
-    lists.add(answer);
-    if (answer) continue;
+    if (evaluate(request.poses[i], answer)) {
+      lists.add(answer);
+      continue;
+    }
     if (!request.is_block) throw singular_pose(request);
+    lists.add_null();
     errors += (errors.empty() ? "" : ",") + error_at(i, singular_pose(request));
   }
   std::string out = fmt::format("{{\"id\":{}", id);

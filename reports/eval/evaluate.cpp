@@ -39,17 +39,17 @@ bool is_within(const M& values, double bound) {
 
 Evaluator::Evaluator(const EvalRequest& request) : request_(&request), law_(law_of(request.spec)) {}
 
-std::optional<EvalAnswer> Evaluator::operator()(const PosePair& pose) const {
+bool Evaluator::operator()(const PosePair& pose, EvalAnswer& answer) const {
   const auto& evaluators = request_->entry->in_double;
-  std::optional<EvalAnswer> answer{std::in_place};
-  answer->strain = evaluators.strain(request_->spec, pose.a, pose.b);
+  answer.strain = evaluators.strain(request_->spec, pose.a, pose.b);
   if (request_->loads || request_->tangent) {
-    answer->loads =
+    const NodeLoads<double> loads =
         reference::node_loads<double>(*request_->entry, request_->spec, pose.a, pose.b, request_->tangent);
+    answer.loads = loads.q;
+    if (request_->tangent) answer.tangent = loads.tangent;
   }
-  if (request_->energy) answer->energy = evaluators.energy(request_->spec, pose.a, pose.b);
-  if (!is_regular(pose, *answer)) answer.reset();
-  return answer;
+  if (request_->energy) answer.energy = evaluators.energy(request_->spec, pose.a, pose.b);
+  return is_regular(pose, answer);
 }
 
 Evaluator::Bounds Evaluator::bounds(const PosePair& pose, const Eigen::VectorXd& strain) const {
@@ -68,8 +68,8 @@ bool Evaluator::is_regular(const PosePair& pose, const EvalAnswer& answer) const
   const Bounds bound = bounds(pose, answer.strain);
   const bool has_angles = request_->spec.kind != Kind::linear;
   if (has_angles && !is_within(answer.strain.tail<3>(), bound.strain)) return false;
-  if ((request_->loads || request_->tangent) && !is_within(answer.loads.q, bound.loads)) return false;
-  if (request_->tangent && !is_within(answer.loads.tangent, bound.tangent)) return false;
+  if ((request_->loads || request_->tangent) && !is_within(answer.loads, bound.loads)) return false;
+  if (request_->tangent && !is_within(answer.tangent, bound.tangent)) return false;
   return !answer.energy || std::isfinite(*answer.energy);
 }
 

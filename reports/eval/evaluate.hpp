@@ -9,9 +9,10 @@
 namespace halfway::reports {
 
 struct EvalAnswer {
-  Eigen::VectorXd strain;        ///< m, then rad
-  NodeLoads<double> loads;       ///< N, N m, where loads or the tangent are wanted
-  std::optional<double> energy;  ///< J, where it is wanted and there is a potential
+  Eigen::VectorXd strain;                 ///< m, then rad
+  Eigen::Matrix<double, 12, 1> loads;     ///< N, N m, where they or the tangent are wanted
+  Eigen::Matrix<double, 12, 12> tangent;  ///< where it is wanted
+  std::optional<double> energy;           ///< J, where it is wanted and there is a potential
 };
 
 /// By the readable transcription, never by kernels or batches: these are held against its answers.
@@ -22,8 +23,8 @@ class Evaluator {
   /// @param request  has to outlive it
   explicit Evaluator(const EvalRequest& request);
 
-  /// Nothing where the formulation has no finite result.
-  std::optional<EvalAnswer> operator()(const PosePair& pose) const;
+  /// @return  has the formulation a finite result?
+  bool operator()(const PosePair& pose, EvalAnswer& answer) const;
 
  private:
   struct Bounds;
