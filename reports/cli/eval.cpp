@@ -1,12 +1,15 @@
 // halfway eval: JSON lines on stdin, one answer each on stdout; exit 0 at the end of input.
 #include "reports/cli/commands.hpp"
-#include "reports/cli/input_lines.hpp"
 #include "reports/eval/eval_line.hpp"
+#include "reports/eval/input_lines.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <malloc.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <iostream>
 
 namespace halfway::reports {
@@ -60,9 +63,17 @@ void write_out(std::string& answers) {
   answers.clear();
 }
 
+std::size_t read_input(char* room, std::size_t size) {
+  ssize_t count = 0;
+  do count = ::read(STDIN_FILENO, room, size);
+  while (count < 0 && errno == EINTR);
+  if (count < 0) throw FailedRun("cannot read standard input");
+  return std::size_t(count);
+}
+
 /// Nobody waits for an answer whose request was read: they are written before more is read.
 void answer_all() {
-  InputLines input(kLongestLine);
+  InputLines input(kLongestLine, read_input);
   std::string answers;
   do {
     while (const auto line = input.next()) {

@@ -1,4 +1,5 @@
 // eval: many poses in one request are answered as if they were asked one by one.
+#include "reports/eval/input_lines.hpp"
 #include "reports/eval/numbers.hpp"
 #include "reports/tests/eval_support.hpp"
 
@@ -171,6 +172,26 @@ BOOST_AUTO_TEST_CASE(notes_are_few) {
   BOOST_REQUIRE_EQUAL(notes.size(), 21u);
   BOOST_TEST(notes[0].get<std::string>().starts_with("poses[0].b.q has length"));
   BOOST_TEST(notes[20] == "and 10 more of their kind");
+}
+
+/// However the bytes come, the lines are the same.
+BOOST_AUTO_TEST_CASE(lines_in_pieces) {
+  const std::string text = "one\n\ntoo long a line\n12345678\n" + std::string(200000, 'x') + "\r\nlast";
+  const std::vector<std::string> expected = {"one", "", "?", "12345678", "?", "last"};
+  for (std::size_t piece : {1u, 2u, 7u, 65536u, 1000000u}) {
+    std::size_t at = 0;
+    reports::InputLines input(8, [&](char* room, std::size_t size) {
+      const std::size_t count = text.copy(room, std::min(size, piece), at);
+      at += count;
+      return count;
+    });
+    std::vector<std::string> lines;
+    do {
+      while (const auto line = input.next())
+        lines.push_back(line->is_too_long ? "?" : std::string(line->text));
+    } while (input.read_more());
+    BOOST_TEST(lines == expected, boost::test_tools::per_element());
+  }
 }
 
 /// nlohmann, which is no part of the writer, reads back the same double, sign of zero included.

@@ -1,17 +1,13 @@
-#include "reports/cli/input_lines.hpp"
-
-#include "reports/cli/commands.hpp"
-
-#include <unistd.h>
+#include "reports/eval/input_lines.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
 namespace halfway::reports {
 
-InputLines::InputLines(std::size_t longest) : longest_(longest), bytes_(std::size_t(64) << 10) {}
+InputLines::InputLines(std::size_t longest, Read read)
+    : longest_(longest), read_(std::move(read)), bytes_(std::size_t(64) << 10) {}
 
 std::optional<InputLines::Line> InputLines::next() {
   const char* const from = bytes_.data() + looked_at_;
@@ -48,11 +44,8 @@ void InputLines::make_room() {
 bool InputLines::read_more() {
   if (is_over_) return false;
   make_room();
-  ssize_t count = 0;
-  do count = ::read(STDIN_FILENO, bytes_.data() + end_, bytes_.size() - end_);
-  while (count < 0 && errno == EINTR);
-  if (count < 0) throw FailedRun("cannot read standard input");
-  end_ += std::size_t(count);
+  const std::size_t count = read_(bytes_.data() + end_, bytes_.size() - end_);
+  end_ += count;
   is_over_ = count == 0;
   return true;
 }

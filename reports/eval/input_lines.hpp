@@ -1,6 +1,8 @@
-// Standard input in lines of bounded length, as they come.
+// What comes in pieces, in lines of bounded length.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -14,11 +16,14 @@ class InputLines {
     bool is_too_long = false;
   };
 
-  explicit InputLines(std::size_t longest);
+  /// Waits for more bytes. @return  how many were written to the room it is given; 0: there are no more
+  using Read = std::function<std::size_t(char* room, std::size_t size)>;
+
+  InputLines(std::size_t longest, Read read);
 
   /// The next whole line of what was read; at the end of input also one without its end.
   std::optional<Line> next();
-  /// Waits for more. @return  was there any, or a line that the end of input made whole? Throws FailedRun.
+  /// @return  may there be a line now? There may be one more at the end of input.
   bool read_more();
 
  private:
@@ -26,6 +31,7 @@ class InputLines {
   void make_room();
 
   std::size_t longest_;
+  Read read_;
   std::vector<char> bytes_;
   std::size_t begin_ = 0, looked_at_ = 0, end_ = 0;  ///< of the line to come
   bool is_too_long_ = false;                         ///< its beginning was dropped
