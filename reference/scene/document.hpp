@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -43,13 +43,14 @@ inline constexpr Dialect kScene{"the file", 1, "stiffness"};
 inline constexpr Dialect kRequest{"the line", 0, "K"};
 
 /// The tree in the order of the text: no node has memory of its own, so that long requests are read at the
-/// speed of their numbers. Texts are the door's, or kept here.
+/// speed of their numbers. Texts are the door's, or kept here: a copy would see those of the first, and there
+/// is none.
 struct Document {
   std::vector<DocumentNode> nodes{};  ///< the root, and everything in it
   Dialect dialect = kScene;
   std::vector<std::string> notes{};  ///< "KEY what was accepted and changed": the first of them
   std::size_t more_notes = 0;        ///< than those
-  std::deque<std::string> texts{};   ///< those that stand nowhere as they are; none of them moves
+  std::vector<std::unique_ptr<const std::string>> texts{};  ///< those that stand nowhere as they are
 
   /// The next value of what is open; it holds nothing, or not yet. Good until the next one.
   DocumentNode& add(DocumentNode::Type type, std::string_view key) {
@@ -62,7 +63,9 @@ struct Document {
   }
   /// Nothing more comes into it, the innermost that is open.
   void close(std::size_t place) { nodes[place].end = unsigned(nodes.size()); }
-  std::string_view keep(std::string text) { return texts.emplace_back(std::move(text)); }
+  std::string_view keep(std::string text) {
+    return *texts.emplace_back(std::make_unique<const std::string>(std::move(text)));
+  }
 };
 
 /// Key path of a node, such as law.K[2]: from the root on, which has none. Long keys are cut.

@@ -30,6 +30,8 @@ constexpr const char* kFields =
   a, b         the nodes: x, position, m; q, node axes -> global axes, a quaternion [w, x, y, z] or the 3 rows
                of a matrix; o, joint point, m, node axes; h, joint axes -> node axes, as q. o and h may be left
                out, or stand beside a and b as offset_a, frame_a, offset_b, frame_b, as in scenes.
+  poses        many poses of one joint: [{"a": {"x", "q"}, "b": {"x", "q"}}, ...]; what one of them leaves out is
+               taken from a and b beside them
   want         of "strain", "loads", "tangent", "energy"; strain and loads where it is left out
   id           anything; comes back as it came
 

@@ -52,6 +52,8 @@ awk -v line="$valid" -v block="$block" 'BEGIN { for (i = 1; i <= 2000; ++i) { te
 awk '!index($0, "{\"id\":" NR ",\"strain\":" (NR % 2 ? "[" : "[[")) { bad = 1 } END { exit bad || NR != 2000 }' "$folder/out" ||
   fail "2000 lines are not answered in their order"
 
+"$program" eval --help | grep -q '^  poses ' || fail "eval --help does not name poses"
+
 # Bad commands: one line on stderr, exit 2.
 for arguments in "" "bend" "run" "run no_such_scene" "run c1 --formulation invarient" "run no_such.toml"; do
   # shellcheck disable=SC2086  # the words are meant to be split
