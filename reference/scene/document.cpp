@@ -1,5 +1,7 @@
 #include "reference/scene/document.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace halfway::reference {
@@ -37,24 +39,41 @@ std::string shortened(std::string text) {
   return text.substr(0, end) + "...";
 }
 
-std::string shown(const DocumentNode& node) {
+std::string path_of(const Document& document, std::size_t place) {
+  const auto& nodes = document.nodes;
+  std::string path;
+  for (std::size_t holder = 0; holder != place;) {
+    std::size_t item = holder + 1;
+    int index = document.dialect.first_index;
+    for (; nodes[item].end != 0 && nodes[item].end <= place; item = nodes[item].end) ++index;
+    if (nodes[holder].type == DocumentNode::Type::array)
+      path += fmt::format("[{}]", index);
+    else
+      path += (path.empty() ? "" : ".") + std::string(nodes[item].key.substr(0, kLongestShown));
+    holder = item;
+  }
+  return path;
+}
+
+std::string shown(const Document& document, std::size_t place) {
   using Type = DocumentNode::Type;
+  const DocumentNode& node = document.nodes[place];
   switch (node.type) {
     case Type::text:
-      return shortened("\"" + node.text + "\"");
+      return shortened(fmt::format("\"{}\"", node.text));
     case Type::boolean:
       return node.boolean ? "true" : "false";
     case Type::number:
     case Type::date:
-      return shortened(node.text);
+      return shortened(std::string(node.text));
     case Type::array:
       break;
     default:
       return type_name(node.type);
   }
   std::string list;
-  for (const DocumentNode& item : node.items) {
-    list += (list.empty() ? "" : ", ") + shown(item);
+  for (std::size_t item = place + 1; item < node.end; item = document.nodes[item].end) {
+    list += (list.empty() ? "" : ", ") + shown(document, item);
     if (list.size() > kLongestShown) break;
   }
   return shortened("[" + list + "]");

@@ -2,6 +2,8 @@
 // read by the same words and rules; the doors differ in how a refusal is printed.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,23 +14,21 @@ namespace halfway::reference {
 /// Tables and arrays inside each other, of either door: a joint needs five.
 inline constexpr int kDeepestNesting = 32;
 
+/// One value of a document; what it holds follows it.
 struct DocumentNode {
-  enum class Type { table, array, text, number, boolean, date, nothing };
+  enum class Type : unsigned char { table, array, text, number, boolean, date, nothing };
   Type type = Type::table;
   bool is_integer = false;  ///< a number written as integer
   bool boolean = false;
   int line = 1;
+  unsigned end = 0;  ///< node after the last one that it holds; 0: still being read
   double number = 0;
-  std::string text{};                 ///< of a text; of a number or date as it was written
-  std::vector<std::string> keys{};    ///< of a table, in the order of the file; one for each item
-  std::vector<DocumentNode> items{};  ///< of a table or array
+  std::string_view text{};  ///< of a text; of a number or date as it was written
+  std::string_view key{};   ///< in the table that holds it
 };
 
 /// "a table", "a number" ...
 const char* type_name(DocumentNode::Type type);
-
-/// The value as a person would type it, shortened.
-std::string shown(const DocumentNode& node);
 
 /// Cut to 60 bytes, whole UTF-8 characters, on one line.
 std::string shortened(std::string text);
@@ -42,11 +42,37 @@ struct Dialect {
 inline constexpr Dialect kScene{"the file", 1, "stiffness"};
 inline constexpr Dialect kRequest{"the line", 0, "K"};
 
+/// The tree in the order of the text: no node has memory of its own, so that long requests are read at the
+/// speed of their numbers. Texts are the door's, or kept here: a copy would see those of the first, and there
+/// is none.
 struct Document {
-  DocumentNode root;
+  std::vector<DocumentNode> nodes{};  ///< the root, and everything in it
   Dialect dialect = kScene;
-  std::vector<std::string> notes{};  ///< "KEY: what was accepted and changed"
+  std::vector<std::string> notes{};  ///< "KEY what was accepted and changed": the first of them
+  std::size_t more_notes = 0;        ///< than those
+  std::vector<std::unique_ptr<const std::string>> texts{};  ///< those that stand nowhere as they are
+
+  /// The next value of what is open; it holds nothing, or not yet. Good until the next one.
+  DocumentNode& add(DocumentNode::Type type, std::string_view key) {
+    const bool holds = type == DocumentNode::Type::table || type == DocumentNode::Type::array;
+    DocumentNode& node = nodes.emplace_back();
+    node.type = type;
+    node.end = holds ? 0 : unsigned(nodes.size());
+    node.key = key;
+    return node;
+  }
+  /// Nothing more comes into it, the innermost that is open.
+  void close(std::size_t place) { nodes[place].end = unsigned(nodes.size()); }
+  std::string_view keep(std::string text) {
+    return *texts.emplace_back(std::make_unique<const std::string>(std::move(text)));
+  }
 };
+
+/// Key path of a node, such as law.K[2]: from the root on, which has none. Long keys are cut.
+std::string path_of(const Document& document, std::size_t place);
+
+/// The value as a person would type it, shortened.
+std::string shown(const Document& document, std::size_t place);
 
 /// What is wrong with one value: "KEY = VALUE: what; allowed: ...". Caught by the door, never by a caller.
 struct Refusal : std::runtime_error {

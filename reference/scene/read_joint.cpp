@@ -19,7 +19,7 @@ constexpr double kSilent = 1e-6;
 constexpr const char* kAllowed = "a unit quaternion [w, x, y, z] or the 3 rows of a rotation matrix";
 
 Mat3<double> from_quaternion(const Field& field) {
-  const Eigen::Vector4d q = field.vector(4, kAllowed);
+  const Eigen::Vector4d q = field.vector<4>(kAllowed);
   const double length = q.stableNorm();
   if (length == 0) {
     field.refuse("is the zero quaternion, which is no rotation", "[1, 0, 0, 0] for none",
@@ -56,23 +56,27 @@ Mat3<double> from_rows(const Field& field) {
   return nearest_rotation(R);
 }
 
+/// The keys of one end, in both spellings.
+struct EndKeys {
+  std::string_view node, offset, frame;
+};
+
 /// joint.offset_a or joint.a.o: one of the two.
 std::optional<Field> either(const Field& joint, std::string_view node, std::string_view word,
                             std::string_view letter) {
   const auto table = joint.find(node);
-  const std::string long_key = fmt::format("{}_{}", word, node);
-  auto by_word = joint.find(long_key);
+  auto by_word = joint.find(word);
   auto by_letter = table ? table->find(letter) : std::nullopt;
   if (by_word && by_letter)
-    by_letter->refuse(fmt::format("stands beside {}", long_key), "one of the two", "named_twice");
+    by_letter->refuse(fmt::format("stands beside {}", word), "one of the two", "named_twice");
   return by_word ? by_word : by_letter;
 }
 
-JointEnd<double> read_end(const Field& joint, std::string_view node) {
+JointEnd<double> read_end(const Field& joint, const EndKeys& keys) {
   JointEnd<double> end;
-  if (const auto o = either(joint, node, "offset", "o"))
-    end.o = o->vector(3, "3 numbers, m, axes of the node");
-  if (const auto H = either(joint, node, "frame", "h")) end.H = read_rotation(*H);
+  if (const auto o = either(joint, keys.node, keys.offset, "o"))
+    end.o = o->vector<3>("3 numbers, m, axes of the node");
+  if (const auto H = either(joint, keys.node, keys.frame, "h")) end.H = read_rotation(*H);
   return end;
 }
 
@@ -91,8 +95,8 @@ JointSpec read_joint(const Field& joint) {
   JointSpec spec;
   spec.kind = read_kind(joint.at("kind", "angular, linear, linear_angular"));
   spec.law = read_law(joint.at("law", "a table with type = linear or polynomial"), spec.kind);
-  spec.a = read_end(joint, "a");
-  spec.b = read_end(joint, "b");
+  spec.a = read_end(joint, {"a", "offset_a", "frame_a"});
+  spec.b = read_end(joint, {"b", "offset_b", "frame_b"});
   return spec;
 }
 

@@ -76,7 +76,7 @@ void read_path(const Field& path, Scene& scene) {
 void read_wanted(const Field& file, Scene& scene) {
   scene.outputs = outputs_of(scene.joint.kind);
   if (const auto outputs = file.find("outputs")) {
-    scene.outputs = outputs->distinct({scene.outputs.begin(), scene.outputs.end()});
+    scene.outputs = outputs->distinct(Names(scene.outputs.begin(), scene.outputs.end()));
     if (scene.outputs.empty()) outputs->refuse("is empty", "at least one output");
   }
   if (const auto xis = file.find("xis")) {
@@ -122,13 +122,13 @@ Scene scene_of(Document& document, const std::filesystem::path& path) {
   }
   scene.joint = read_joint(joint);
   const Field loads = file.at("load", "at least one table [[load]]");
-  for (const Field& load : loads.items("tables [[load]]"))
+  for (const Field load : loads.items("tables [[load]]"))
     scene.loads.push_back(read_load(load, scene.joint.kind));
   if (scene.loads.empty()) loads.refuse("is empty", "at least one table [[load]]");
   read_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);
   if (const auto sets = file.find("reference")) {
-    for (const Field& set : sets->items("tables [[reference]]")) {
+    for (const Field set : sets->items("tables [[reference]]")) {
       const auto references = read_reference_set(set, scene);
       scene.references.insert(scene.references.end(), references.begin(), references.end());
     }
@@ -147,7 +147,7 @@ bool is_critical(const std::string& output) {
 Scene read_scene(const std::filesystem::path& path) {
   Document document;
   try {
-    document.root = read_toml(path);
+    read_toml(path, document);
     Scene scene = scene_of(document, path);
     scene.notes = std::move(document.notes);
     return scene;

@@ -42,49 +42,55 @@ std::string written(const toml::node& node) {
       line);
 }
 
-DocumentNode tree(const toml::node& node, int depth);
+void add(const toml::node& node, std::string_view key, int depth, Document& out);
 
 /// toml++ orders keys by name; messages and reports want the order of the file.
-void add_entries(const toml::table& table, int depth, DocumentNode& out) {
-  using Entry = std::pair<std::string, const toml::node*>;
+void add_entries(const toml::table& table, int depth, Document& out) {
+  using Entry = std::pair<std::string_view, const toml::node*>;
   std::vector<Entry> entries;
-  for (const auto& [key, value] : table) entries.emplace_back(std::string(key.str()), &value);
+  for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     const auto x = a.second->source().begin, y = b.second->source().begin;
     return std::tie(x.line, x.column) < std::tie(y.line, y.column);
   });
-  for (const auto& [key, value] : entries) {
-    out.keys.push_back(key);
-    out.items.push_back(tree(*value, depth + 1));
+  for (const auto& [key, value] : entries) add(*value, out.keep(std::string(key)), depth + 1, out);
+}
+
+/// A value that holds no other.
+void add_value(const toml::node& node, std::string_view key, int line, Document& out) {
+  using Type = DocumentNode::Type;
+  const auto add = [&](Type type) -> DocumentNode& {
+    DocumentNode& value = out.add(type, key);
+    value.line = line;
+    return value;
+  };
+  if (const auto text = node.value_exact<std::string>()) {
+    add(Type::text).text = out.keep(*text);
+  } else if (node.is_number()) {
+    DocumentNode& value = add(Type::number);
+    value.number = *node.value<double>();
+    value.is_integer = node.is_integer();
+    value.text = out.keep(written(node));
+  } else if (const auto boolean = node.value_exact<bool>()) {
+    add(Type::boolean).boolean = *boolean;
+  } else {
+    add(Type::date).text = out.keep(written(node));
   }
 }
 
-DocumentNode tree(const toml::node& node, int depth) {
-  using Type = DocumentNode::Type;
-  DocumentNode out;
-  out.line = std::max<int>(1, int(node.source().begin.line));
-  if (depth > kDeepestNesting) refuse_depth(out.line);
-  if (const auto* table = node.as_table()) {
-    add_entries(*table, depth, out);
-  } else if (const auto* array = node.as_array()) {
-    out.type = Type::array;
-    for (const auto& item : *array) out.items.push_back(tree(item, depth + 1));
-  } else if (const auto text = node.value_exact<std::string>()) {
-    out.type = Type::text;
-    out.text = *text;
-  } else if (node.is_number()) {
-    out.type = Type::number;
-    out.number = *node.value<double>();
-    out.is_integer = node.is_integer();
-    out.text = written(node);
-  } else if (const auto boolean = node.value_exact<bool>()) {
-    out.type = Type::boolean;
-    out.boolean = *boolean;
-  } else {
-    out.type = Type::date;
-    out.text = written(node);
+void add(const toml::node& node, std::string_view key, int depth, Document& out) {
+  const int line = std::max<int>(1, int(node.source().begin.line));
+  if (depth > kDeepestNesting) refuse_depth(line);
+  const auto* table = node.as_table();
+  const auto* array = node.as_array();
+  if (!table && !array) return add_value(node, key, line, out);
+  const std::size_t place = out.nodes.size();
+  out.add(table ? DocumentNode::Type::table : DocumentNode::Type::array, key).line = line;
+  if (table) add_entries(*table, depth, out);
+  if (array) {
+    for (const auto& item : *array) add(item, {}, depth + 1, out);
   }
-  return out;
+  out.close(place);
 }
 
 std::string content(const std::filesystem::path& file) {
@@ -117,11 +123,11 @@ std::string line_of(const std::string& text, std::size_t number) {
 
 }  // namespace
 
-DocumentNode read_toml(const std::filesystem::path& file) {
+void read_toml(const std::filesystem::path& file, Document& out) {
   const std::string text = content(file);
   if (const int line = line_of_deep_key(text)) refuse_depth(line);
   try {
-    return tree(toml::parse(text, file.string()), 1);
+    add(toml::parse(text, file.string()), {}, 1, out);
   } catch (const toml::parse_error& error) {
     const auto line = std::max<toml::source_index>(1, error.source().begin.line);
     throw SceneError(fmt::format("{}:{}: {}: is not TOML ({}); allowed: TOML 1.0", file.string(), line,

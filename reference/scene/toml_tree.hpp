@@ -7,8 +7,8 @@
 
 namespace halfway::reference {
 
-/// Parses a file of at most 1 MB. Throws SceneError when it cannot be read or is not TOML, Refusal
-/// [too_deep] when it is nested deeper than kDeepestNesting.
-DocumentNode read_toml(const std::filesystem::path& file);
+/// Parses a file of at most 1 MB into `out`, which is empty. Throws SceneError when it cannot be read or is
+/// not TOML, Refusal [too_deep] when it is nested deeper than kDeepestNesting.
+void read_toml(const std::filesystem::path& file, Document& out);
 
 }  // namespace halfway::reference

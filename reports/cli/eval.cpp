@@ -1,18 +1,22 @@
-// halfway eval: JSON lines on stdin, one answer each on stdout, flushed; exit 0 at the end of input.
+// halfway eval: JSON lines on stdin, one answer each on stdout; exit 0 at the end of input.
 #include "reports/cli/commands.hpp"
 #include "reports/eval/eval_line.hpp"
+#include "reports/eval/input_lines.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <malloc.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <iostream>
-#include <limits>
-#include <memory>
 
 namespace halfway::reports {
 namespace {
 
-constexpr std::size_t kLongestLine = std::size_t(16) << 20;  // bytes; a request needs some hundreds
+constexpr std::size_t kLongestLine = std::size_t(16) << 20;  // bytes; a pose needs some hundreds
+constexpr std::size_t kMostUnwritten = std::size_t(64) << 10;
 
 constexpr const char* kFields =
     R"(One JSON object a line; SI units, radians, global axes where nothing else is said.
@@ -26,6 +30,8 @@ constexpr const char* kFields =
   a, b         the nodes: x, position, m; q, node axes -> global axes, a quaternion [w, x, y, z] or the 3 rows
                of a matrix; o, joint point, m, node axes; h, joint axes -> node axes, as q. o and h may be left
                out, or stand beside a and b as offset_a, frame_a, offset_b, frame_b, as in scenes.
+  poses        many poses of one joint: [{"a": {"x", "q"}, "b": {"x", "q"}}, ...]; what one of them leaves out is
+               taken from a and b beside them
   want         of "strain", "loads", "tangent", "energy"; strain and loads where it is left out
   id           anything; comes back as it came
 
@@ -34,31 +40,53 @@ Answers: {"id", "strain", "loads", "tangent", "energy"}, and "notes" where the i
   loads    12: force and moment on a, force and moment on b (N, N m; global axes, about the nodes)
   tangent  12 rows of 12: loads by (dx_a, w_a, dx_b, w_b), spins in global axes
   energy   J, null where the formulation has no potential of this kind
+Numbers have the fewest digits that give them back. Asked for poses, each of these is a list with an item for
+each pose, the same numbers as asked one by one. A pose without a finite result is null in all lists and named
+in "errors": [{"pose": 3, "code": "singular_pose", "message"}], counted from 0; the others have their answers.
+A pose that is wrong (poses[3].b.q) refuses the line. A line has at most 16 MiB and 1e6 values, 21 a pose.
 
 Signs: q = dU/dx: internal loads; add -q to your equations of motion.
 
 A request that cannot be answered gets {"id", "error": {"code", "message", "field"}}, and the next one its own
 answer: such lines do not change the exit code.)";
 
-void answer_all(std::istream& in, std::ostream& out) {
-  const std::size_t capacity = kLongestLine + 1;
-  const auto line = std::make_unique_for_overwrite<char[]>(capacity);
-  while (true) {
-    in.getline(line.get(), std::streamsize(capacity));
-    const auto count = std::size_t(in.gcount());
-    if (in.eof() && count == 0) return;
-    if (in.bad()) throw FailedRun("cannot read standard input");
-    if (in.fail()) {  // the buffer is full and the line goes on
-      in.clear();
-      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-      out << eval_refusal("line_too_long", fmt::format("a line is longer than {} bytes", kLongestLine));
-    } else {
-      const std::size_t line_end = in.eof() ? 0 : 1;
-      out << eval_line({line.get(), count - line_end});
+/// What a long line took serves the next one: else the system takes back every page and gives it anew, a
+/// third of the time of lines of a thousand poses.
+void keep_memory() {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
+void write_out(std::string& answers) {
+  std::cout << answers << std::flush;
+  if (!std::cout) throw FailedRun("cannot write standard output");
+  answers.clear();
+}
+
+std::size_t read_input(char* room, std::size_t size) {
+  ssize_t count = 0;
+  do count = ::read(STDIN_FILENO, room, size);
+  while (count < 0 && errno == EINTR);
+  if (count < 0) throw FailedRun("cannot read standard input");
+  return std::size_t(count);
+}
+
+/// Nobody waits for an answer whose request was read: they are written before more is read.
+void answer_all() {
+  InputLines input(kLongestLine, read_input);
+  std::string answers;
+  do {
+    while (const auto line = input.next()) {
+      answers += line->is_too_long ? eval_refusal("line_too_long",
+                                                  fmt::format("a line is longer than {} bytes", kLongestLine))
+                                   : eval_line(line->text);
+      answers += '\n';
+      if (answers.size() > kMostUnwritten) write_out(answers);
     }
-    out << '\n' << std::flush;
-    if (!out) throw FailedRun("cannot write standard output");
-  }
+    write_out(answers);
+  } while (input.read_more());
 }
 
 }  // namespace
@@ -68,8 +96,8 @@ void add_eval(CLI::App& app) {
   command->footer(kFields);
   command->callback([] {
     std::ios::sync_with_stdio(false);
-    std::cin.tie(nullptr);
-    answer_all(std::cin, std::cout);
+    keep_memory();
+    answer_all();
   });
 }
 

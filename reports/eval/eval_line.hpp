@@ -7,8 +7,9 @@
 namespace halfway::reports {
 
 /// Answers a request, {"id", "strain", "loads", "tangent", "energy"}, or {"id", "error"}: one line of
-/// strict JSON without the line end. Numbers have 17 significant digits. "notes" say what was normalised,
-/// where anything was. Never throws for any text.
+/// strict JSON without the line end. Numbers have the fewest digits that give them back. "errors" name poses
+/// of many that have no result; "notes" say what was normalised, where anything was. Never throws for any
+/// text.
 std::string eval_line(std::string_view line);
 
 /// The answer to what could not even be read as a line.

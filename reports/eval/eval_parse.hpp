@@ -1,15 +1,13 @@
 // One line of text -> one tree, bounded in depth and size, with the id saved from lines that break off.
 #pragma once
 
-#include "reference/scene/document.hpp"
+#include "reports/eval/line_tree.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace halfway::reports {
-
-inline constexpr std::size_t kMostValues = 1000000;  ///< of one line; a request has some hundred
 
 struct ParsedLine {
   reference::Document document;  ///< as far as it was read
@@ -19,6 +17,7 @@ struct ParsedLine {
 };
 
 /// Never throws for what the line says; strict JSON.
+/// @return  its texts are good until the thread parses its next line
 ParsedLine parse_line(std::string_view line);
 
 }  // namespace halfway::reports

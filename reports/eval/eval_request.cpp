@@ -13,6 +13,9 @@ namespace {
 using reference::Field;
 
 const reference::Entry& read_formulation(const Field& field) {
+  for (const reference::Entry& entry : reference::formulations()) {
+    if (field.says(entry.name)) return entry;
+  }
   const auto names = reference::formulation_names();
   if (field.says(reference::kLinearized)) {
     field.refuse("has no finite pose: it exists for scenes only", fmt::format("{}", fmt::join(names, ", ")),
@@ -32,15 +35,70 @@ double read_xi(const Field& line, const reference::Entry& entry) {
   return field ? field->number() : entry.probe_xi;
 }
 
-Pose<double> read_pose(const Field& node) {
-  node.has_only({"x", "q", "o", "h"});
-  const std::string position = "3 numbers, m, global axes";
-  const std::string turn = "a quaternion [w, x, y, z] or the 3 rows of a rotation matrix";
-  return {node.at("x", position).vector(3, position), reference::read_rotation(node.at("q", turn))};
+constexpr std::string_view kNode = "a node {x, q}";
+constexpr std::string_view kPosition = "3 numbers, m, global axes";
+constexpr std::string_view kTurn = "a quaternion [w, x, y, z] or the 3 rows of a rotation matrix";
+
+/// A node as far as it is given in one place: x, q, or both.
+struct Given {
+  std::optional<Vec3<double>> x;
+  std::optional<Mat3<double>> R;
+};
+
+Given read_given(const Field& node) {
+  Given given;
+  if (const auto x = node.find("x")) given.x = x->vector<3>(kPosition);
+  if (const auto q = node.find("q")) given.R = reference::read_rotation(*q);
+  return given;
+}
+
+/// A node beside the poses, for all of them: o and h too, which are read with the joint.
+Given read_common(const Field& line, std::string_view key) {
+  const auto node = line.find(key);
+  if (!node) return {};
+  node->has_only({"x", "q", "o", "h"});
+  return read_given(*node);
+}
+
+Pose<double> pose_of(const Field& node, const Given& given) {
+  if (!given.x) node.at("x", kPosition);  // throws
+  if (!given.R) node.at("q", kTurn);
+  return {*given.x, *given.R};
+}
+
+/// A pose's own node, completed by what is common.
+Pose<double> read_pose(const Field& pose, std::string_view key, const Given& common) {
+  const auto node = pose.find(key);
+  if (!node && common.x && common.R) return {*common.x, *common.R};
+  if (!node) pose.at(key, kNode);
+  node->has_only({"x", "q"});
+  Given given = read_given(*node);
+  if (!given.x) given.x = common.x;
+  if (!given.R) given.R = common.R;
+  return pose_of(*node, given);
+}
+
+void read_poses(const Field& line, EvalRequest& request) {
+  const auto poses = line.find("poses");
+  request.is_block = poses.has_value();
+  if (!poses) {
+    for (const char* key : {"a", "b"}) line.at(key, kNode);
+  }
+  const Given a = read_common(line, "a"), b = read_common(line, "b");
+  if (!poses) {
+    request.poses.push_back({pose_of(*line.find("a"), a), pose_of(*line.find("b"), b)});
+    return;
+  }
+  const auto items = poses->items("an array of poses {a, b}, each node {x, q}");
+  request.poses.reserve(std::size_t(std::distance(items.begin(), items.end())));
+  for (const Field pose : items) {
+    pose.has_only({"a", "b"});
+    request.poses.push_back({read_pose(pose, "a", a), read_pose(pose, "b", b)});
+  }
 }
 
 void read_want(const Field& field, EvalRequest& request) {
-  for (const Field& item : field.items("an array of strain, loads, tangent, energy")) {
+  for (const Field item : field.items("an array of strain, loads, tangent, energy")) {
     const std::string name = item.one_of({"strain", "loads", "tangent", "energy"}, "unknown_want");
     request.strain |= name == "strain";
     request.loads |= name == "loads";
@@ -56,18 +114,22 @@ void check_coupling(const EvalRequest& request, const Field& law) {
       "off-diagonal 3x3 blocks of zeros", "block_diagonal_law_only");
 }
 
+reference::Names known_keys() {
+  reference::Names keys = reference::kJointKeys;
+  for (const char* key : {"id", "formulation", "xi", "poses", "want"}) keys.push_back(key);
+  return keys;
+}
+
 }  // namespace
 
 EvalRequest read_request(reference::Document& document) {
+  static const reference::Names keys = known_keys();
   const Field line(document);
-  reference::Names keys = reference::kJointKeys;
-  for (const char* key : {"id", "formulation", "xi", "want"}) keys.push_back(key);
   line.has_only(keys);
   EvalRequest request;
   request.entry = &read_formulation(line.at("formulation", "a name of ./halfway list"));
   const double xi = read_xi(line, *request.entry);
-  request.a = read_pose(line.at("a", "a node {x, q}"));
-  request.b = read_pose(line.at("b", "a node {x, q}"));
+  read_poses(line, request);
   request.spec = reference::read_joint(line);
   request.spec.xi = xi;
   check_coupling(request, line.at("law", ""));

@@ -1,4 +1,4 @@
-// A request of `halfway eval`: from a line's tree to a joint, two poses and what is wanted.
+// A request of `halfway eval`: from a line's tree to a joint, poses of its nodes and what is wanted.
 #pragma once
 
 #include "reference/face/registry.hpp"
@@ -6,10 +6,15 @@
 
 namespace halfway::reports {
 
+struct PosePair {
+  Pose<double> a, b;  ///< of the nodes, m, global axes
+};
+
 struct EvalRequest {
   const reference::Entry* entry = nullptr;
   reference::JointSpec spec;
-  Pose<double> a, b;  ///< of the nodes, m, global axes
+  std::vector<PosePair> poses;  ///< one, where the request has no "poses"
+  bool is_block = false;        ///< it has
   bool strain = false, loads = false, tangent = false, energy = false;
 };
 

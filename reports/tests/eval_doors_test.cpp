@@ -82,7 +82,8 @@ Read by_request(const Case& c) {
   request["law"] = json::parse(c.law);
   for (const char* node : {"a", "b"}) request[node].erase("o"), request[node].erase("h");
   request.merge_patch(json::parse(c.ends));
-  auto line = reports::parse_line(request.dump());
+  const std::string text = request.dump();
+  auto line = reports::parse_line(text);
   try {
     Read read{"", reports::read_request(line.document).spec};
     read.notes = line.document.notes;

@@ -1,9 +1,11 @@
-// eval: mutated requests of a fixed seed; each must be answered by one valid line.
-#include "reports/eval/eval_line.hpp"
+// eval: mutated requests of a fixed seed, and lines that libFuzzer found to go ways of their own; each must
+// be answered by one valid line.
+#include "reports/tests/eval_promises.hpp"
 #include "reports/tests/eval_support.hpp"
 
 #include <boost/test/unit_test.hpp>
 
+#include <fstream>
 #include <random>
 
 using namespace halfway;
@@ -94,12 +96,18 @@ BOOST_AUTO_TEST_CASE(mutated_lines) {
   constexpr int kLines = 20000;
   std::vector<std::string> seeds;
   for (const auto& entry : reference::formulations()) {
-    for (Kind kind : kKinds) seeds.push_back(generic_request(entry, kind).dump());
+    for (Kind kind : kKinds) {
+      json request = generic_request(entry, kind);
+      seeds.push_back(request.dump());
+      request["poses"] = {{{"a", {{"x", {0.5, 0, 1}}}}}, {{"b", {{"q", {0.6, 0, 0.8, 0}}}}}};
+      seeds.push_back(request.dump());
+    }
   }
   Mutator mutator;
   int answered = 0, malformed = 0, refused = 0;
   for (int i = 0; i < kLines; ++i) {
     const std::string line = mutator.mutated(seeds[mutator.below(seeds.size())]);
+    BOOST_TEST(broken_promise(line) == "");
     const json found = answer(line);
     if (!found.contains("error")) {
       ++answered;
@@ -115,6 +123,59 @@ BOOST_AUTO_TEST_CASE(mutated_lines) {
   BOOST_TEST(answered > kLines / 20);
   BOOST_TEST(malformed > kLines / 20);
   BOOST_TEST(refused > kLines / 20);
+}
+
+/// Kept by .ci/fuzz.
+BOOST_AUTO_TEST_CASE(kept_lines) {
+  std::ifstream file(HALFWAY_FUZZ_CORPUS);
+  int lines = 0;
+  for (std::string line; std::getline(file, line); ++lines) BOOST_TEST(broken_promise(line) == "");
+  BOOST_TEST(lines > 100);
+}
+
+/// What the promises are there for: each would be seen.
+BOOST_AUTO_TEST_CASE(strict_where_nlohmann_is) {
+  for (const char* line :
+       {"{\"id\":\"\\ud83d\\ude00\"}", "{\"\\u0000\":[1E+2,-0,0.0e-0,1e-400]}", "\xEF\xBB\xBF{}",
+        "{\"id\":\"\xF4\x8F\xBF\xBF\xEF\xBF\xBF\x7F\"}", " {\t\"a\" : [ ] , \"b\":{ }\r} "}) {
+    BOOST_TEST(broken_promise(line) == "");
+    BOOST_TEST(answer(std::string(line))["error"].value("code", "") != "malformed_json", line);
+  }
+  for (const char* line : {"{\"a\":01}",
+                           "{\"a\":-}",
+                           "{\"a\":1.}",
+                           "{\"a\":1.e5}",
+                           "{\"a\":.5}",
+                           "{\"a\":1e}",
+                           "{\"a\":1e+}",
+                           "{\"a\":+1}",
+                           "{\"a\":-inf}",
+                           "{\"a\":nan}",
+                           "{\"a\":0x1p3}",
+                           "{\"a\":1,}",
+                           "{\"a\":[1,]}",
+                           "{\"a\":[,1]}",
+                           "{\"a\" 1}",
+                           "{a:1}",
+                           "{\"a\":tru}",
+                           "{\"a\":truee}",
+                           "{\"a\":\"\\x\"}",
+                           "{\"a\":\"\\u12g4\"}",
+                           "{\"a\":\"\\ud800\"}",
+                           "{\"a\":\"\\ude00\"}",
+                           "{\"a\":\"\\ud800\\u0041\"}",
+                           "{\"a\":\"\xC0\x80\"}",
+                           "{\"a\":\"\xED\xA0\x80\"}",
+                           "{\"a\":\"\xF4\x90\x80\x80\"}",
+                           "{\"a\":\"\xE2\x82\"}",
+                           "{\"a\":\"\t\"}",
+                           "{\"a\":\"",
+                           "{\"a\":\"\\",
+                           "{\"a\":1}}",
+                           "{\"a\":1} x"}) {
+    BOOST_TEST(broken_promise(line) == "");
+    BOOST_TEST(answer(std::string(line))["error"].value("code", "") == "malformed_json", line);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

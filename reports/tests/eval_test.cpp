@@ -146,6 +146,9 @@ BOOST_AUTO_TEST_CASE(ids_come_back) {
     const std::string line = R"({"id":)" + std::string(id) + ',' + request.dump().substr(1);
     BOOST_TEST(reports::eval_line(line).starts_with(R"({"id":)" + std::string(id) + ','), line);
   }
+  // Without spaces, but for those inside a text.
+  const std::string spaced = R"({"id": [ 1.50 , {"k" : "a \" , [ b\\" } ] ,)" + request.dump().substr(1);
+  BOOST_TEST(reports::eval_line(spaced).starts_with(R"({"id":[1.50,{"k":"a \" , [ b\\"}],)"), spaced);
 }
 
 BOOST_AUTO_TEST_CASE(no_offset_and_no_frame_by_default) {

@@ -36,8 +36,23 @@ for i in 1 2; do
   read -r reply <&4 || fail "no answer to request $i"
   case $reply in '{"id":1,"strain"'*) ;; *) fail "answer $i is $reply" ;; esac
 done
+# Half of the next request must not keep an answer back.
+printf '%s\n%.20s' "$valid" "$valid" >&3
+read -r reply <&4 || fail "no answer before the next request is whole"
+printf '%s\n' "$valid" | tail -c +21 >&3
+read -r rest <&4 || fail "no answer to a request in two pieces"
+[ "$rest" = "$reply" ] || fail "a request in two pieces is answered $rest"
 exec 3>&-
 wait $! || fail "exit code $? after the pipe was closed"
+
+# Many lines at once, and many poses in a line: every one has its answer, in their order.
+block=$(printf '%s' "$valid" | sed 's/,"a":.*/,"a":{"x":[0,0,0],"q":[1,0,0,0]},"poses":[{"b":{"x":[0,0,0],"q":[0.8,0.6,0,0]}},{"b":{"x":[0,0,0],"q":[0.6,0.8,0,0]}}]}/')
+awk -v line="$valid" -v block="$block" 'BEGIN { for (i = 1; i <= 2000; ++i) { text = i % 2 ? line : block; sub(/"id":1/, "\"id\":" i, text); print text } }' |
+  "$program" eval > "$folder/out" || fail "exit code $? after 2000 lines"
+awk '!index($0, "{\"id\":" NR ",\"strain\":" (NR % 2 ? "[" : "[[")) { bad = 1 } END { exit bad || NR != 2000 }' "$folder/out" ||
+  fail "2000 lines are not answered in their order"
+
+"$program" eval --help | grep -q '^  poses ' || fail "eval --help does not name poses"
 
 # Bad commands: one line on stderr, exit 2.
 for arguments in "" "bend" "run" "run no_such_scene" "run c1 --formulation invarient" "run no_such.toml"; do
