@@ -41,18 +41,20 @@ const detail::Functions<T>& functions(const detail::Unit& unit, Kind kind) {
 
 /// What becomes of a loop's results, stored past the caches or not; nullptr: nothing, they are in their
 /// tables.
+/// @param direct  does the loop write what a compressed tangent keeps?
 template <class T>
-detail::Spread<T> spread(Isa isa, Output output, int rows, bool past_caches) {
+detail::Spread<T> spread(Isa isa, Output output, int rows, bool direct, bool past_caches) {
   const detail::Spreadings& all = *detail::spreadings(isa);
   const detail::Spreading<T>* s;
   if constexpr (std::is_same_v<T, double>) {
-    if (output == Output::compressed) return all.compressing(rows).compress;
+    if (output == Output::compressed && !direct) return all.compressing(rows).compress;
     s = &all.in_double;
   } else {
     s = &all.in_float;
   }
   if (output == Output::tangent_144) return past_caches ? s->all_entries_streamed : s->all_entries;
-  return output == Output::tangent && past_caches ? s->streamed : nullptr;
+  const bool kept = output == Output::tangent || output == Output::compressed;
+  return kept && past_caches ? s->streamed : nullptr;
 }
 
 template <class T>
@@ -123,10 +125,12 @@ void Batch::evaluate(const Joints<T>& joints, const Results<T>& results, Output 
   const int rows = output == Output::compressed ? compressed_rows(model_) : tangent_rows(model_.kind, output);
   const bool direct = output == Output::compressed && f == c.functions->lean_compressed;
   const auto spread_by = [&](bool past_caches) {
-    return direct ? nullptr : spread<T>(c.isa, output, rows, past_caches);
+    return spread<T>(c.isa, output, rows, direct, past_caches);
   };
+  const bool chosen_from = !direct && output != Output::residual && output != Output::product;
+  const int kept = chosen_from ? tangent_rows(model_.kind, Output::tangent) : rows;
   detail::run(detail::Work<T>{model_, joints, results, output, f, spread_by(false), spread_by(true),
-                              bytes(c.isa) / int(sizeof(T)), rows},
+                              bytes(c.isa) / int(sizeof(T)), rows, kept},
               options);
 }
 

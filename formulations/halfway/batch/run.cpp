@@ -87,7 +87,7 @@ void run_in_blocks(const Work<T>& w, const Job<T>& job, Spread<T> spread) {
   constexpr long kPacks = 4;
   alignas(64) T numbers[kPacks * (64 / sizeof(T)) * kMaxBlockRows];
   const Kind kind = w.model.kind;
-  Block<T> block{numbers, 0, load_rows(kind), tangent_rows(kind, Output::tangent), {}, {}};
+  Block<T> block{numbers, 0, load_rows(kind), w.kept_rows, {}, {}};
   for (long i = 0; i < job.count; i += kPacks * w.lanes) {
     Job<T> part = part_of(job, i, std::min(kPacks * w.lanes, job.count - i));
     block.packs = part.count / w.lanes;
@@ -182,8 +182,7 @@ bool on_boundary(const void* p, long stride_bytes) {
 template <class T>
 bool past_caches(const Work<T>& w, Streaming streaming) {
   const auto& [loads, tangent] = w.results;
-  if (streaming == Streaming::never || (w.output != Output::tangent && w.output != Output::tangent_144))
-    return false;
+  if (streaming == Streaming::never || w.streamed == w.spread) return false;
   constexpr long kSize = sizeof(T);
   if (!on_boundary(loads.first, loads.stride * kSize) ||
       !on_boundary(tangent.first, tangent.stride * kSize)) {
@@ -191,7 +190,7 @@ bool past_caches(const Work<T>& w, Streaming streaming) {
   }
   if (streaming == Streaming::always) return true;
   if (w.lanes * kSize != kCacheLine) return false;
-  const int rows = load_rows(w.model.kind) + tangent_rows(w.model.kind, w.output);
+  const int rows = load_rows(w.model.kind) + w.tangent_rows;
   return rows * kSize * w.joints.count > kKeptInCache;
 }
 

@@ -15,6 +15,7 @@ struct Work {
   Spread<T> spread, streamed;  ///< nullptr: the function writes to the tables itself
   int lanes;                   ///< joints in one pack
   int tangent_rows;            ///< of the output
+  int kept_rows;               ///< that the function writes: as many, or all for a spread to choose from
 };
 
 template <class T>
