@@ -17,7 +17,7 @@ using assemble::Assembler, assemble::Form, assemble::Layout, assemble::Part, ass
 using batch::Isa;
 
 constexpr Layout kAllLayouts[] = {Layout::blocks, Layout::rows, Layout::columns};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Every form in which joints of a model can be assembled.
 std::vector<Form> forms(const batch::Model& model) {
@@ -75,7 +75,7 @@ constexpr const char* kSumReason =
 
 /// What is in memory before: of angular joints in blocks of six the rest of a block is left as it is.
 double before(const batch::Model& model, const Form& form) {
-  return model.kind == Kind::angular && form.unknowns == 6 ? 0 : kNan;
+  return model.kind == Kind::angular && form.unknowns == 6 ? 0 : kNotANumber;
 }
 
 std::vector<Finding> sums_at_50_digits(const Entry& entry, Kind kind) {
