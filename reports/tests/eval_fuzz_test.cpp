@@ -1,5 +1,6 @@
 // eval: mutated requests of a fixed seed, and lines that libFuzzer found to go ways of their own; each must
 // be answered by one valid line.
+#include "reports/eval/read_fast.hpp"
 #include "reports/tests/eval_promises.hpp"
 #include "reports/tests/eval_support.hpp"
 
@@ -131,6 +132,16 @@ BOOST_AUTO_TEST_CASE(kept_lines) {
   int lines = 0;
   for (std::string line; std::getline(file, line); ++lines) BOOST_TEST(broken_promise(line) == "");
   BOOST_TEST(lines > 100);
+}
+
+/// Or all answers would be right, and late.
+BOOST_AUTO_TEST_CASE(requests_are_read_by_simdjson) {
+  for (const auto& entry : reference::formulations()) {
+    for (Kind kind : kKinds) {
+      reference::Document document;
+      BOOST_TEST(reports::read_fast(generic_request(entry, kind).dump(), document));
+    }
+  }
 }
 
 /// What the promises are there for: each would be seen.

@@ -187,6 +187,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_overflow) {
   check_refused(replaced(line, "\"x\":[0.25", "\"x\":[1e999"), "not_finite", "a.x[0]", nullptr);
   check_refused(replaced(line, "[[30.0", "[[-1e400"), "not_finite", "law.K[0][0]", "generic");
   check_refused("{\"id\":1e999}", "not_finite", "id", nullptr);
+  check_refused("{\"id\":0.95000000000000000000e309}", "not_finite", "id", nullptr);
 }
 
 BOOST_AUTO_TEST_CASE(deep_nesting) {
