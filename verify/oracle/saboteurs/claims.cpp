@@ -35,6 +35,12 @@ constexpr Overlooks kOverlooked[] = {
     {"programs/turns", {.forces = true}, "turns without moves: moments alone"},
     {"programs/jumps", {.forces = true}, "turns without moves: moments alone"},
     {"programs/cable", {.forces = true}, "turns without moves: moments alone"},
+    {"/assembly_eigen",
+     {.moments = true, .forces = true, .strain = true},
+     "matrices; /assembly has the loads"},
+    {"/assembly_transposed_block", {.moments = true, .forces = true, .strain = true}, "compares matrices"},
+    {"/assembly_lost_end", {.moments = true, .forces = true, .strain = true}, "compares matrices"},
+    {"/assembly_doubled_joint", {.moments = true, .forces = true, .strain = true}, "compares matrices"},
     {"/rounding_tangent", {.moments = true, .forces = true}, "compares tangents; /rounding has the loads"},
 };
 
@@ -68,6 +74,9 @@ constexpr Shown kShown[] = {
     {"*/hinges", "mutants/solver/positions"},
     {"fe/symmetric_body", "mutants/second_order_without_turning_face"},
     {"fe/calculix/*/*", "mutants/calculix_moment_without_gamma"},
+    {"*/linear_angular/assembly", "mutants/assembly_transposed_block"},
+    {"*/linear_angular/assembly", "mutants/assembly_lost_end"},
+    {"*/linear_angular/assembly", "mutants/assembly_doubled_joint"},
     {"packaging/folds", "packaging/folds_catches"},
     {"packaging/layering", "packaging/layering_catches"},
     {"packaging/add_formulation", "packaging/saboteurs_caught"},

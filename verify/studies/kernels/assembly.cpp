@@ -79,7 +79,7 @@ double before(const batch::Model& model, const Form& form) {
 }
 
 std::vector<Finding> sums_at_50_digits(const Entry& entry, Kind kind) {
-  const Net net = random_net(entry, kind);
+  const Net net = solved_net(entry, kind);
   const NetInput in(net);
   std::vector<Finding> out;
   for (const Isa isa : kIsas) {
@@ -262,7 +262,7 @@ int different_from_triplets(const Net& net, const NetInput& in) {
 Finding eigen() {
   int wrong = 0;
   for (const char* name : {"invariant", "fasse"}) {
-    const Net net = random_net(*reference::find_formulation(name), Kind::linear_angular);
+    const Net net = solved_net(*reference::find_formulation(name), Kind::linear_angular);
     const NetInput in(net);
     wrong +=
         different_from_triplets<Eigen::ColMajor>(net, in) + different_from_triplets<Eigen::RowMajor>(net, in);

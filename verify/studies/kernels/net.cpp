@@ -40,9 +40,14 @@ Net random_net(const Entry& entry, Kind kind) {
     BatchJoint j{laws[net.joints.size() % laws.size()].spec, net.poses[nodes.a], net.poses[nodes.b]};
     j.spec.a = {{0.3, -0.2, 0.1}, reference::third_of_turn(1)};
     j.spec.b = {{-0.1, 0.4, 0.2}, reference::third_of_turn(-1)};
-    solve(entry, j);
     net.joints.push_back(j);
   }
+  return net;
+}
+
+Net solved_net(const Entry& entry, Kind kind) {
+  Net net = random_net(entry, kind);
+  for (BatchJoint& j : net.joints) solve(entry, j);
   return net;
 }
 

@@ -16,10 +16,12 @@ struct Net {
   std::vector<reference::QuaternionPose<double>> poses;
   std::vector<int> rows;
   std::vector<assemble::Nodes> nodes;  ///< of each joint
-  std::vector<BatchJoint> joints;      ///< solved at 50 digits
+  std::vector<BatchJoint> joints;
 };
 
 Net random_net(const Entry& entry, Kind kind);
+/// The same, its joints solved at 50 digits.
+Net solved_net(const Entry& entry, Kind kind);
 
 /// Loads and tangent of all unknowns, and what their errors are relative to: the largest scale of a joint.
 struct Exact {
@@ -28,7 +30,7 @@ struct Exact {
   double load_scale = 0, tangent_scale = 0;
 };
 
-/// Each joint added by its nodes' rows. @param unknowns  of a node, 6 or 3
+/// Each joint of a solved net added by its nodes' rows. @param unknowns  of a node, 6 or 3
 Exact exact_sums(const Net& net, int unknowns);
 
 /// A net as an assembly reads it; it lives as long as the net.
