@@ -128,6 +128,7 @@ export interface Timing {
   error: number | null;
   errors: Array<ErrorAt>;
   flops: number | null;
+  products?: number | null;
   bytes: number | null;
   wrong: boolean;
   message: string;
