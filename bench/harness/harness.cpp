@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <stdexcept>
 
 #include "bench/harness/case.hpp"
@@ -120,9 +121,13 @@ void set_flags(const Options& options) {
   benchmark::Initialize(&argc, argv.data());
 }
 
+/// Throws std::logic_error of two cases of one name: results and histories know figures by it.
 Cases selected_cases(const std::string& filter) {
   const std::regex pattern(filter);
   Cases cases = all_cases();
+  std::set<std::string> names;
+  for (const Case& c : cases)
+    if (!names.insert(c.name).second) throw std::logic_error("two benchmarks are called '" + c.name + "'");
   std::erase_if(cases, [&](const Case& c) { return !std::regex_search(c.name, pattern); });
   return cases;
 }

@@ -4,6 +4,7 @@
 
 #include "halfway/kernels/compensated.hpp"
 #include "halfway/systems/attached.hpp"
+#include "halfway/systems/fasse.hpp"
 #include "halfway/systems/intrinsic.hpp"
 #include "halfway/systems/jointc.hpp"
 
@@ -70,6 +71,7 @@ Cases kernel_variant_cases() {
   add<Invariant, Kind::linear_angular, float, kernel::Accuracy<>>(cases, point, "", single);
   add_bare<AttachedA, Kind::angular>(cases), add_bare<Invariant, Kind::angular>(cases);
   add_bare<Intrinsic, Kind::angular>(cases), add_bare<Jointc, Kind::angular>(cases);
+  add_bare<Fasse, Kind::angular>(cases);
   add_bare<AttachedA, Kind::linear>(cases), add_bare<Invariant, Kind::linear>(cases);
   add_bare<Intrinsic, Kind::linear>(cases), add_bare<Invariant, Kind::linear_angular>(cases);
   return cases;
