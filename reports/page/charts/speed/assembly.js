@@ -19,7 +19,7 @@ function spec(rows) {
     data: {values: rows.map((r) => ({...r, shown: full(r.ns), varies: `${short(100 * r.spread, 1)} %`}))},
     mark: {type: 'point', filled: true, size: 70, opacity: 1},
     encoding: {
-      y: {field: 'way', type: 'nominal', sort: ways, title: null, axis: {labelLimit: 220}},
+      y: {field: 'way', type: 'nominal', sort: ways, title: null, axis: {labelLimit: 260}},
       x: {
         field: 'ns',
         type: 'quantitative',
