@@ -1,7 +1,7 @@
 #include "halfway/batch/isa.hpp"
 
 #include <cstdlib>
-#include <ranges>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -10,8 +10,8 @@ namespace {
 
 std::string missing(const std::string& name, const char* from) {
   std::string has;
-  for (const Isa isa : kIsas | std::views::reverse) {
-    if (available(isa)) has += std::string(has.empty() ? "" : ", ") + to_string(isa);
+  for (auto isa = std::rbegin(kIsas); isa != std::rend(kIsas); ++isa) {
+    if (available(*isa)) has += std::string(has.empty() ? "" : ", ") + to_string(*isa);
   }
   return "instruction set " + name + from + ": this machine has " + has;
 }
@@ -41,8 +41,8 @@ Isa choose(std::optional<Isa> wanted) {
   }
   const char* const name = std::getenv("HALFWAY_ISA");
   const std::string_view forced = name == nullptr ? "" : name;
-  for (const Isa isa : kIsas | std::views::reverse) {
-    if (forced.empty() ? available(isa) : forced == to_string(isa) && available(isa)) return isa;
+  for (auto isa = std::rbegin(kIsas); isa != std::rend(kIsas); ++isa) {
+    if (available(*isa) && (forced.empty() || forced == to_string(*isa))) return *isa;
   }
   throw std::invalid_argument(missing("'" + std::string(forced) + "'", " of HALFWAY_ISA"));
 }
