@@ -6,6 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 namespace halfway::gate {
 namespace {
 
@@ -15,6 +19,24 @@ using statistics::Exact;
 Exact without_values(Exact exact) {
   exact.value = exact.error = 0;
   return exact;
+}
+
+/// A run computes some limits from its own numbers (drifts, by the steps it took). From one instruction set
+/// to another those moved by up to a half; what somebody widened by less than this factor is not told from
+/// them.
+constexpr double kOwnLimits = 2;
+
+bool are_near(double a, double b) { return a > 0 && b > 0 && std::max(a, b) <= kOwnLimits * std::min(a, b); }
+
+/// A figure that only machines with that instruction set have: .../batch/avx2/..., .../batch_avx512_residual.
+bool names_instruction_set(std::string_view name) {
+  constexpr std::string_view kNames[] = {"sse2", "avx2", "avx2vl", "avx512"};
+  while (!name.empty()) {
+    const std::size_t end = std::min(name.find_first_of("/_"), name.size());
+    if (std::ranges::find(kNames, name.substr(0, end)) != std::end(kNames)) return true;
+    name.remove_prefix(std::min(end + 1, name.size()));
+  }
+  return false;
 }
 
 /// What two runs have in common, and so how far they are compared.
@@ -28,7 +50,9 @@ void judge(Outcome& out, const std::string& name, const Exact& before, const Exa
                                   : statistics::exact_change(without_values(before), without_values(after));
   if (!change) return;
   // A step more of an iteration may be another rounding in a library that chooses its code by processor.
-  const bool is_judged = same.machine || !after.is_count;
+  const bool is_own_limit =
+      !same.series && before.verdict == after.verdict && are_near(before.limit, after.limit);
+  const bool is_judged = (same.machine || !after.is_count) && !is_own_limit;
   out.lines.push_back({is_judged ? change->sense : Sense::change, name, change->text});
 }
 
@@ -75,6 +99,9 @@ Outcome compare(const Record& before, const Record& after) {
       judge(out, name, old, found->second, same);
     else if (after.is_partial)
       ++lacking;
+    else if (!same.series && names_instruction_set(name))
+      out.lines.push_back(
+          {Sense::change, name, "gone: of an instruction set, and the runs were not made alike"});
     else
       out.lines.push_back({Sense::regression, name, "gone: nothing measures it any more"});
   }

@@ -95,6 +95,31 @@ BOOST_AUTO_TEST_CASE(another_series) {
   BOOST_TEST(compare(before, read_report(write_report(scratch.folder() / "b", after))).lines.size() == 1u);
 }
 
+// A limit made of the run's own numbers moves a little; one that somebody widened moves more. What one
+// instruction set has is not there with another.
+BOOST_AUTO_TEST_CASE(another_instruction_set) {
+  const auto sense = [](bool alike, const std::string& old_name, double limit, bool there) {
+    const Scratch scratch;
+    json before = small_report(), after = small_report();
+    before["findings"][0]["name"] = after["findings"][0]["name"] = old_name;
+    after["findings"][0]["high"] = limit;
+    if (!there) after["findings"].erase(0);
+    if (!alike) after["context"]["compiler"] = "clang++";
+    const Outcome outcome = compare(read_report(write_report(scratch.folder() / "a", before)),
+                                    read_report(write_report(scratch.folder() / "b", after)));
+    BOOST_TEST_REQUIRE(outcome.lines.size() == 1u);
+    return outcome.lines[0].sense;
+  };
+  BOOST_TEST((sense(true, "drift", 1.5e-12, true) == Sense::regression));
+  BOOST_TEST((sense(false, "drift", 1.5e-12, true) == Sense::change));
+  BOOST_TEST((sense(false, "drift", 2.1e-12, true) == Sense::regression));
+  BOOST_TEST((sense(true, "f/batch/avx512/no_ends", 1e-12, false) == Sense::regression));
+  for (const char* name : {"f/batch/avx512/no_ends", "f/batch_avx2_residual", "avx2vl"})
+    BOOST_TEST((sense(false, name, 1e-12, false) == Sense::change), name);
+  for (const char* name : {"f/batch/no_ends", "f/avx5120", "savx2"})
+    BOOST_TEST((sense(false, name, 1e-12, false) == Sense::regression), name);
+}
+
 BOOST_AUTO_TEST_CASE(refused_by_name) {
   json report = small_report();
   report["findings"][1].erase("high");
