@@ -12,12 +12,13 @@ namespace {
 
 struct CompareOptions {
   std::string before, after;
+  bool newest = false;
   TellOptions tell;
 };
 
 void run(const CompareOptions& options) {
   check(options.tell);
-  const auto [before, after] = read_both(options.before, options.after);
+  const auto [before, after] = read_both(options.before, options.after, options.newest);
   tell(compare(before, after), options.tell);
 }
 
@@ -32,6 +33,10 @@ void add_compare(CLI::App& app) {
                    "(.sqlite), and the number or commit of a run; without @RUN its last run made like AFTER")
       ->required();
   command->add_option("after", options->after, "The same of the later one")->required();
+  command->add_flag(
+      "--newest", options->newest,
+      "Of a history without @RUN the runs of its last commit alone: what was accepted with it is not "
+      "judged again where only an older run was made like AFTER");
   add_options(*command, options->tell);
   command->callback([options] { run(*options); });
 }

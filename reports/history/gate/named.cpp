@@ -67,10 +67,18 @@ History exported(const Named& named) {
   return history::read_history(lines);
 }
 
+/// What AFTER says of the run that it is compared with, if nobody named one.
+struct Like {
+  const Record& after;
+  bool newest;  ///< of the last commit alone
+};
+
 /// The last run that was made like that, on the same machine if there is one; else the last run.
-int alike(const History& h, const Record& like) {
+int alike(const History& h, const Like& wanted) {
+  const Record& like = wanted.after;
   int of_series = -1, last = int(h.runs.size()) - 1;
   for (int i = last; i >= 0; --i) {
+    if (wanted.newest && h.runs[i].commit != h.runs[last].commit) continue;
     const Record head = record_of({.run = h.runs[i], .series = h.series[h.runs[i].series]}, "");
     if (head.series != like.series) continue;
     if (head.machine == like.machine) return i;
@@ -79,7 +87,7 @@ int alike(const History& h, const Record& like) {
   return of_series >= 0 ? of_series : last;
 }
 
-Record read_run(const Named& named, const Record* like) {
+Record read_run(const Named& named, const Like* like) {
   const bool is_exported = is_database(named.file);
   const History h = is_exported ? exported(named) : history::read_history(named.file);
   const std::string file = named.file.string();
@@ -95,7 +103,7 @@ Record read_run(const Named& named, const Record* like) {
   return record_of(record, fmt::format("{}@{}", file, record.run.commit));
 }
 
-Record read_side(const std::string& text, const Record* like) {
+Record read_side(const std::string& text, const Like* like) {
   const Named named = named_by(text);
   if (is_database(named.file) || history::is_lines(named.file)) return read_run(named, like);
   return read_report(text);
@@ -103,9 +111,11 @@ Record read_side(const std::string& text, const Record* like) {
 
 }  // namespace
 
-std::pair<Record, Record> read_both(const std::string& before, const std::string& after) {
+std::pair<Record, Record> read_both(const std::string& before, const std::string& after, bool newest) {
   Record second = read_side(after, nullptr);
-  return {read_side(before, &second), std::move(second)};
+  const Like like{second, newest};
+  Record first = read_side(before, &like);
+  return {std::move(first), std::move(second)};
 }
 
 }  // namespace halfway::gate

@@ -46,6 +46,7 @@ for kept in kept.sqlite kept.jsonl; do
   expect 0 "three (abc3) against $kept@abc1" "$kept@abc1" three
   expect 0 "2 figures compared: 0 worse, 0 better, 0 changed" "$kept" three  # the last one by g++
   expect 0 "against $kept@abc2 (abc2)" "$kept" two                           # the last one by clang++
+  expect 0 "against $kept@abc3 (abc3)" --newest "$kept" two                  # of the last commit, not made alike
   expect 2 "no run 'abc9'" "$kept@abc9" three
   report worse abc4 g++ 5e-13 20 pass
   expect 1 'REGRESSION error: 2e-14 -> 5e-13, 1.4 digits lost' "$kept" worse
