@@ -164,6 +164,7 @@ void keep(const Checks& checks, int limit, const std::filesystem::path& file) {
   const auto part = std::filesystem::path(file).concat(".part");
   std::filesystem::remove(file);  // what an earlier run found answers for nothing
   std::ofstream out(part);
+  if (!out) throw std::runtime_error(part.string() + " cannot be written");
   run_apart_each(checks, limit, [&](const Record& record) { out << line_of(record); });
   out.close();
   if (!out) throw std::runtime_error(part.string() + " cannot be written");
