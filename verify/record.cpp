@@ -1,5 +1,7 @@
 #include "verify/record.hpp"
 
+#include "verify/forked.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -8,8 +10,6 @@
 #include <unistd.h>
 #include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
@@ -61,25 +61,15 @@ Record record_of_line(const std::string& text) {
   return {json.at("check"), json.at("passed"), json.at("text")};
 }
 
-[[noreturn]] void child(const Checks& checks, std::size_t begin, int output) {
-  for (std::size_t i = begin; i < checks.size(); ++i) {
-    const std::string text = line_of(record_of(checks[i]));
-    for (std::size_t done = 0; done < text.size();) {
-      const ssize_t n = write(output, text.data() + done, text.size() - done);
-      if (n < 0 && errno != EINTR) _exit(1);
-      if (n > 0) done += std::size_t(n);
-    }
-  }
-  _exit(0);
+void write_records(const Checks& checks, std::size_t begin, int output) {
+  for (std::size_t i = begin; i < checks.size(); ++i)
+    if (!write_all(output, line_of(record_of(checks[i])))) return;
 }
 
 /// Lines of a child until it ends, or is silent for too long.
 class Lines {
  public:
   Lines(int input, int limit) : input_(input), limit_(limit) {}
-  ~Lines() { close(input_); }
-  Lines(const Lines&) = delete;
-  Lines& operator=(const Lines&) = delete;
 
   bool next(std::string& line) {
     for (std::size_t end; (end = text_.find('\n')) == std::string::npos;)
@@ -138,18 +128,11 @@ Record record_of(const Check& check) {
 
 void run_apart_each(const Checks& checks, int limit, const std::function<void(const Record&)>& take) {
   for (std::size_t next = 0; next < checks.size();) {
-    int ends[2];
-    if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
-    std::fflush(nullptr);  // or the child would print it once more
-    const pid_t id = fork();
-    if (id < 0) throw std::runtime_error("no child process");
-    if (id == 0) close(ends[0]), child(checks, next, ends[1]);
-    close(ends[1]);
-    Lines lines(ends[0], limit);
+    Forked child([&](int output) { write_records(checks, next, output); });
+    Lines lines(child.input(), limit);
     for (std::string text; lines.next(text); ++next) take(record_of_line(text));
-    if (lines.silent()) kill(id, SIGKILL);
-    int status = 0;
-    while (waitpid(id, &status, 0) < 0 && errno == EINTR) continue;
+    if (lines.silent()) child.kill();
+    const int status = child.status();
     if (next == checks.size()) return;
     const std::string how = lines.silent() ? fmt::format("was silent for {} s", limit)
                             : WIFSIGNALED(status)

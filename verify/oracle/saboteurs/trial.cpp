@@ -1,5 +1,7 @@
 #include "verify/oracle/saboteurs/trial.hpp"
 
+#include "verify/forked.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
@@ -8,8 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <stdexcept>
+#include <exception>
 
 namespace halfway::verify {
 namespace {
@@ -60,16 +61,14 @@ Trial trial_of(const std::string& text) {
           {is(4), is(5), is(6), is(7), is(8), is(9)}};
 }
 
-[[noreturn]] void child(const Check& check, int limit, const Parts& seen, int output) {
+void try_within(const Check& check, int limit, const Parts& seen, int output) {
   const rlimit seconds{rlim_t(limit), rlim_t(limit)}, no_core{0, 0};
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &no_core);
   // A test framework's handlers would go on with the parent's tests in here.
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) std::signal(signal, SIG_DFL);
   alarm(unsigned(20 * limit));  // of one that waits for ever; other programs may take most of the processor
-  const std::string text = text_of(run_here(check, seen));
-  [[maybe_unused]] const auto written = write(output, text.data(), text.size());
-  _exit(0);
+  write_all(output, text_of(run_here(check, seen)));
 }
 
 std::string all_of(int input) {
@@ -91,17 +90,9 @@ const char* to_string(Outcome outcome) {
 }
 
 Trial run_apart(const Check& check, int limit, const Parts& seen) {
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
-  std::fflush(nullptr);  // or the child would print it once more
-  const pid_t id = fork();
-  if (id < 0) throw std::runtime_error("no child process");
-  if (id == 0) close(ends[0]), child(check, limit, seen, ends[1]);
-  close(ends[1]);
-  const std::string text = all_of(ends[0]);
-  close(ends[0]);
-  int status = 0;
-  while (waitpid(id, &status, 0) < 0 && errno == EINTR) continue;
+  Forked child([&](int output) { try_within(check, limit, seen, output); });
+  const std::string text = all_of(child.input());
+  const int status = child.status();
   if (text.ends_with('\n')) return trial_of(text);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const bool hung = signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM;
