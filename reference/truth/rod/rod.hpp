@@ -32,7 +32,7 @@ struct Rod {
   double length = 1;                       ///< m
   Section section{};                       ///< of every s where `taper` is not set
   Vec3<double> curvature0{0, 0, 0};        ///< without load, along the section's axes, rad/m
-  std::function<Section(double s)> taper;  ///< the section at s, smooth in s
+  std::function<Section(double s)> taper{};  ///< the section at s, smooth in s
 };
 
 /// What acts on the tip. A follower turns with the section at the tip, in whose axes it is given.
