@@ -43,6 +43,7 @@ export class Results {
     this.paper = json.paper;
     this.solids = json.solids;
     this.speed = json.speed;
+    this.rods = json.rods ?? {};
     this.stability = json.stability;
     this.durations = json.durations;
     this.byName = new Map(this.findings.map((f) => [f.name, f]));

@@ -6,6 +6,7 @@ import {EVERYTHING, Part, Parts} from './parts.js';
 import {headline} from './sections/headline.js';
 import {signNote} from './sections/notes.js';
 import {numberParts} from './sections/numbers.js';
+import {rodParts} from './sections/rods.js';
 import {speedNote, speedParts} from './sections/speed/speed.js';
 import {stabilityParts} from './sections/stability.js';
 import {truthParts} from './sections/truth.js';
@@ -27,6 +28,7 @@ function questionsOf(results, raw, kind) {
     {id: 'which', title: 'Which one?', parts: parts(whichParts(results, kind))},
     {id: 'speed', title: 'How fast?', note: speedNote(results), parts: parts(speedParts(results, kind))},
     {id: 'stability', title: 'Where does it fail?', note: sign, parts: parts(stabilityParts(results))},
+    {id: 'rods', title: 'Large rotation: who follows the rod?', parts: parts(rodParts(results))},
     {id: 'truth', title: 'Who is right?', note: sign.cloneNode(true), parts: parts(truthParts(results))},
     {id: 'numbers', title: 'Every number', parts: parts(numberParts(results, raw))}
   ];

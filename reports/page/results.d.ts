@@ -16,6 +16,7 @@ export interface ResultsFile {
   paper?: Paper;
   solids?: Solids;
   speed?: Speed;
+  rods?: Rods;
   stability?: Stability;
   durations: Record<string, number>;
 }
@@ -671,6 +672,69 @@ export interface Defect {
   formulation: string;
   x: Array<number | null>;
   error: Array<number | null>;
+}
+
+export interface Reach {
+  tolerance: number;
+  moment: number;
+  angle: number;
+}
+
+export interface FollowedCurve {
+  formulation: string;
+  error: Array<number | null>;
+  within: Array<Reach>;
+}
+
+export interface SkewMoment {
+  moment: Array<number>;
+  angle: Array<number>;
+  theta: Array<Array<number>>;
+  curves: Array<FollowedCurve>;
+}
+
+export interface MedianError {
+  formulation: string;
+  median: number | null;
+  lost: number;
+  of: number;
+}
+
+export interface RandomMoments {
+  stiffness: string;
+  drawn: string;
+  size: number;
+  rows: Array<MedianError>;
+}
+
+export interface CriticalRatio {
+  formulation: string;
+  ratio: number | null;
+}
+
+export interface SemiTangential {
+  stiffness: string;
+  rod: number;
+  rows: Array<CriticalRatio>;
+}
+
+export interface ForceError {
+  formulation: string;
+  error: Array<number | null>;
+  order: number | null;
+}
+
+export interface EndForce {
+  where: string;
+  force: Array<number>;
+  rows: Array<ForceError>;
+}
+
+export interface Rods {
+  skew?: SkewMoment;
+  random?: Array<RandomMoments>;
+  semi_tangential?: Array<SemiTangential>;
+  force?: Array<EndForce>;
 }
 
 export interface Stability {

@@ -8,6 +8,7 @@
 #include "reports/cli/streams.hpp"
 #include "reports/views/paper.hpp"
 #include "reports/views/programs.hpp"
+#include "reports/views/rods/rods.hpp"
 #include "reports/views/solids.hpp"
 #include "reports/views/speed.hpp"
 #include "reports/views/stability/stability.hpp"
@@ -149,8 +150,10 @@ void report(const ReportOptions& options) {
   if (options.only.empty() && !options.quick) {
     results.durations["stability"] =
         timed([&] { results.stability = stability_record(Progress("where methods fail")); });
+    results.durations["rods"] = timed([&] { results.rods = rods_record(Progress("large rotation")); });
   } else {
     results.left_out.push_back({"where methods fail", kQuickReason});
+    results.left_out.push_back({"who follows the rod at large rotation", kQuickReason});
   }
   results.durations["time"] = timed([&] { time_all(options, results); });
   write_report(results, options.folder);

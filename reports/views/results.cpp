@@ -174,6 +174,7 @@ void to_json(nlohmann::json& json, const Results& results) {
           {"paper", results.paper},
           {"solids", results.solids},
           {"speed", results.speed},
+          {"rods", results.rods},
           {"stability", results.stability},
           {"durations", results.durations}};
   if (!results.programs.empty()) json["programs"] = results.programs;

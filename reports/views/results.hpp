@@ -57,6 +57,7 @@ struct Results {
   nlohmann::json programs = nlohmann::json::array();    ///< joints of other programs, see SCHEMA.md
   nlohmann::json solids = nlohmann::json::object();     ///< the 3D truth, see SCHEMA.md
   nlohmann::json speed = nlohmann::json::object();      ///< limits, targets and choices, see SCHEMA.md
+  nlohmann::json rods = nlohmann::json::object();       ///< large rotation, see SCHEMA.md
   nlohmann::json stability = nlohmann::json::object();  ///< where methods fail, see SCHEMA.md
   std::map<std::string, double> durations;              ///< stage of the run -> wall time, s
 };

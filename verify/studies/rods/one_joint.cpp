@@ -1,26 +1,32 @@
 #include "verify/studies/rods/one_joint.hpp"
 
 #include "reference/numbers/random.hpp"
+#include "reference/numbers/zeros.hpp"
 #include "reference/record/effort.hpp"
+#include "reference/record/worst.hpp"
 #include "reference/scene/names.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stability/critical.hpp"
-#include "reference/truth/rod/rod.hpp"
+#include "reference/truth/rod/critical.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/scene_access.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace halfway::verify {
 namespace {
 
-using reference::Entry, reference::Scene;
+using reference::Entry, reference::Scene, reference::by_effort;
 namespace rod = reference::rod;
 
 constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
+
+/// One metre long, and neither stretches nor shears.
+rod::Rod rod_of(const Vec3<double>& stiffness) { return {1, rod::of_stiffness(stiffness), {}, {}}; }
 
 /// A joint with this law under a fixed moment: its path, and nothing that would be drawn.
 Scene moment_scene(const Vec3<double>& stiffness, const Vec3<double>& moment) {
@@ -30,11 +36,11 @@ Scene moment_scene(const Vec3<double>& stiffness, const Vec3<double>& moment) {
   return out;
 }
 
-bool arrived(const reference::Outcome<double>& state) {
+bool arrived(const Outcome<double>& state) {
   return state.status == Status::converged || state.status == Status::inaccurate;
 }
 
-constexpr double kSkewStep = 10, kSkewEnd = 1800;  // N m: as the scene
+constexpr double kSkewStep = 5, kSkewEnd = 1800;  // N m: as the scene
 
 SkewMoment made_skew_moment() {
   const Scene& block = scene("c3_buckling");
@@ -42,7 +48,7 @@ SkewMoment made_skew_moment() {
   for (double m = kSkewStep; m <= kSkewEnd; m += kSkewStep) out.moment.push_back(m);
   const Vec3<double> stiffness = compliances(block).cwiseInverse();
   for (const rod::Tip& tip :
-       rod::tips_under_moment(rod::slender(stiffness), block.loads.front().value, out.moment)) {
+       rod::tips_under_moment(rod_of(stiffness), block.loads.front().value, out.moment)) {
     out.rod.push_back(so3::log<double>(tip.R));
     out.rod_angle.push_back(out.rod.back().norm());
   }
@@ -70,13 +76,21 @@ struct Draws {
   std::vector<Mat3<double>> rod;
 };
 
+/// Uniform on the sphere.
+Vec3<double> any_direction(reference::Generator& random) {
+  Vec3<double> v = random.vector(1);
+  while (v.norm() < 0.1 || v.norm() > 1) v = random.vector(1);
+  return v.normalized();
+}
+
 Draws drawn(const RandomMoments& of) {
   reference::Generator random(2026);
   Draws out;
-  for (int i = 0; i < kRandomMoments; ++i) {
-    const Vec3<double> linear_turn = of.size * random.direction();
-    out.moment.push_back(of.stiffness.cwiseProduct(linear_turn));
-    out.rod.push_back(rod::tips_under_moment(rod::slender(of.stiffness), out.moment.back(), {1}).front().R);
+  for (int i = 0; i < by_effort(400, 20); ++i) {
+    Vec3<double> turn = any_direction(random);
+    if (of.drawn == Drawn::moment) turn = turn.cwiseQuotient(of.stiffness).normalized();
+    out.moment.push_back(of.size * of.stiffness.cwiseProduct(turn));
+    out.rod.push_back(rod::tips_under_moment(rod_of(of.stiffness), out.moment.back(), {1}).front().R);
   }
   return out;
 }
@@ -90,8 +104,8 @@ Spread spread(const Entry& entry, const RandomMoments& of) {
   const Draws& all = draws(of);
   std::vector<double> errors;
   Spread out;
-  const std::size_t count = by_effort(std::size_t(kRandomMoments), std::size_t(20));
-  for (std::size_t i = 0; i < count; ++i) {
+  out.of = int(all.moment.size());
+  for (std::size_t i = 0; i < all.moment.size(); ++i) {
     const Scene scene = moment_scene(of.stiffness, all.moment[i]);
     reference::Path<double> path(scene, entry, entry.probe_xi);
     const bool there = arrived(path.advance(1));
@@ -100,7 +114,7 @@ Spread spread(const Entry& entry, const RandomMoments& of) {
     errors.push_back(there ? so3::log<double>(apart).norm() / so3::log<double>(all.rod[i]).norm()
                            : std::numeric_limits<double>::infinity());
   }
-  const auto middle = errors.begin() + std::ptrdiff_t(count / 2);
+  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
   std::ranges::nth_element(errors, middle);
   out.median = std::isfinite(*middle) ? *middle : kLost;
   return out;
@@ -111,21 +125,35 @@ const Vec3<double>& block_stiffness() {
   return k;
 }
 
+/// Is the joint stable against every small turn about this state? Two turns may lose that at the same load, where
+/// the determinant only touches zero.
+bool holds(const reference::LoadedState<double>& state) {
+  return reference::characteristic(state.J, {}, state.R).positive();
+}
+
 std::optional<double> first_divergence(const Entry& entry, const Vec3<double>& stiffness) {
+  constexpr reference::MomentSetting kSemi{reference::MomentType::semi_tangential, false};
+  constexpr int kSamples = 1501;  // odd, so that none falls on a quarter of a turn
   const reference::JointSpec spec = moment_scene(stiffness, Vec3<double>::UnitX()).joint;
-  const auto found = reference::PrimaryPath(entry, spec, 0)
-                         .critical({reference::MomentType::semi_tangential, false}, {})
-                         .divergence;
-  return found ? std::optional(double(found->load)) : std::nullopt;
+  const auto state = [&](double angle) { return reference::loaded_state<double>(entry, spec, 0, kSemi, angle); };
+  const double end = reference::PrimaryPath(entry, spec, 0).end_angle();
+  double low = end / kSamples, high = low;
+  while (holds(state(high)) && state(high).load > 0) {
+    low = high, high += end / kSamples;
+    if (high > end) return std::nullopt;
+  }
+  const double load =
+      state(reference::last_where([&](double angle) { return holds(state(angle)); }, low, high, 60)).load;
+  return load > 0 ? std::optional(load) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<double> Followed::within(double tolerance) const {
-  const auto& load = skew_moment().moment;
-  for (std::size_t i = 0; i < error.size(); ++i)
-    if (!(error[i] <= tolerance)) return i == 0 ? std::nullopt : std::optional(load[i - 1]);
-  return load.back();
+const char* to_string(Drawn drawn) { return drawn == Drawn::moment ? "moment" : "turn"; }
+
+std::optional<std::size_t> Followed::last_within(double tolerance) const {
+  const auto beyond = std::ranges::find_if_not(error, [&](double e) { return e <= tolerance; });
+  return beyond == error.begin() ? std::nullopt : std::optional(std::size_t(beyond - error.begin()) - 1);
 }
 
 const SkewMoment& skew_moment() {
@@ -141,10 +169,12 @@ const Followed& follows_skew_moment(const Entry& entry) {
 const std::vector<RandomMoments>& random_moments() {
   static const std::vector<RandomMoments> all = [] {
     std::vector<RandomMoments> out;
-    for (const double size : {0.2, 1.0}) {
-      out.push_back({"1:2:3", {1, 2, 3}, size});
-      out.push_back({"c3", block_stiffness(), size});
-      out.push_back({"1:10:100", {1, 10, 100}, size});
+    for (const Drawn drawn : {Drawn::moment, Drawn::turn}) {
+      for (const double size : {0.2, 1.0}) {
+        out.push_back({"1:2:3", {1, 2, 3}, drawn, size});
+        out.push_back({"c3", block_stiffness(), drawn, size});
+        out.push_back({"1:10:100", {1, 10, 100}, drawn, size});
+      }
     }
     return out;
   }();
@@ -160,7 +190,8 @@ const std::vector<SemiTangential>& semi_tangential() {
   static const std::vector<SemiTangential> all = [] {
     std::vector<SemiTangential> out;
     const auto add = [&](const char* name, const Vec3<double>& k) {
-      out.push_back({name, k, rod::critical_semi_tangential(k)});
+      const double high = 4 * (k.sum() - k.minCoeff() - k.maxCoeff());
+      out.push_back({name, k, rod::critical_semi_tangential(rod_of(k), 0, high)});
     };
     add("c3", block_stiffness());
     add("2:1:3", {2, 1, 3});

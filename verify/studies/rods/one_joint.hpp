@@ -7,7 +7,7 @@
 
 #include "reference/face/registry.hpp"
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +15,11 @@
 namespace halfway::verify {
 
 /// Of one formulation along a rising load: error[i] = |theta_joint - theta_rod| / |theta_rod|, NaN from where
-/// the joint has no equilibrium that a solver reaches.
+/// the joint has no equilibrium that the solver reaches.
 struct Followed {
   std::vector<double> error;
-  /// The largest of the loads up to which the error stays within a tolerance, N m; 0 where it does nowhere.
-  std::optional<double> within(double tolerance) const;
+  /// Which load is the last up to which the error stays within a tolerance; nothing where it does nowhere.
+  std::optional<std::size_t> last_within(double tolerance) const;
 };
 
 /// The slender rod that has the stiffness of C3's block, under its fixed moment of skew direction.
@@ -31,19 +31,25 @@ struct SkewMoment {
 const SkewMoment& skew_moment();
 const Followed& follows_skew_moment(const reference::Entry& entry);
 
+/// What is random: the direction of the moment, so that most of the turn is about the softest axis; or that of
+/// the turn K^-1 m, which takes all axes alike and large moments about the stiff ones.
+enum class Drawn { moment, turn };
+const char* to_string(Drawn drawn);
+
 /// Random fixed moments of one size on a rod of one stiffness.
 struct RandomMoments {
   const char* name;
   Vec3<double> stiffness;  ///< GJ/L, EI2/L, EI3/L, N m/rad
-  double size;             ///< |K^-1 m|, rad
+  Drawn drawn;
+  double size;  ///< |K^-1 m|, rad
 };
-inline constexpr int kRandomMoments = 80;
 const std::vector<RandomMoments>& random_moments();
 
 /// Turn between the loaded ends of joint and rod over the rod's own turn.
 struct Spread {
   double median = 0;  ///< NaN where half of the joints or more have no equilibrium there
-  int lost = 0;       ///< of kRandomMoments, that have none
+  int lost = 0;       ///< of `of`, that have none
+  int of = 0;
 };
 const Spread& error_of_random(const reference::Entry& entry, const RandomMoments& moments);
 
@@ -51,7 +57,7 @@ const Spread& error_of_random(const reference::Entry& entry, const RandomMoments
 struct SemiTangential {
   const char* name;
   Vec3<double> stiffness;  ///< N m/rad
-  double rod;              ///< N m
+  double critical;         ///< of the rod, N m
 };
 const std::vector<SemiTangential>& semi_tangential();
 /// N m; nothing where the joint has none below half a turn.

@@ -1,0 +1,103 @@
+#include "reports/views/rods/rods.hpp"
+
+#include "reports/views/rounded.hpp"
+#include "verify/studies/rods/end_force.hpp"
+#include "verify/studies/rods/one_joint.hpp"
+
+#include <cmath>
+#include <iterator>
+
+namespace halfway::reports {
+namespace {
+
+using namespace verify;
+using nlohmann::json;
+using reference::Entry, reference::formulations;
+
+json number(double x) { return std::isfinite(x) ? json(rounded(x, 4)) : json(); }
+
+/// The load up to which the error stays within a tolerance, and how far the rod has turned there.
+json reach(const Followed& followed, double tolerance) {
+  const auto last = followed.last_within(tolerance);
+  if (!last) return {{"tolerance", tolerance}, {"moment", 0}, {"angle", 0}};
+  return {{"tolerance", tolerance},
+          {"moment", skew_moment().moment[*last]},
+          {"angle", rounded(skew_moment().rod_angle[*last], 4)}};
+}
+
+json skew_record() {
+  const SkewMoment& truth = skew_moment();
+  json curves = json::array(), rod = json::array();
+  for (const Entry& entry : formulations()) {
+    const Followed& followed = follows_skew_moment(entry);
+    curves.push_back({{"formulation", entry.name},
+                      {"error", rounded(followed.error, 3)},
+                      {"within", {reach(followed, 0.01), reach(followed, 0.05)}}});
+  }
+  for (const Vec3<double>& theta : truth.rod) rod.push_back(rounded({theta[0], theta[1], theta[2]}, 6));
+  return {{"moment", truth.moment}, {"angle", rounded(truth.rod_angle, 5)}, {"theta", rod}, {"curves", curves}};
+}
+
+json random_record() {
+  json out = json::array();
+  for (const RandomMoments& of : random_moments()) {
+    json rows = json::array();
+    for (const Entry& entry : formulations()) {
+      const Spread& s = error_of_random(entry, of);
+      rows.push_back({{"formulation", entry.name}, {"median", number(s.median)}, {"lost", s.lost}, {"of", s.of}});
+    }
+    out.push_back({{"stiffness", of.name}, {"drawn", to_string(of.drawn)}, {"size", of.size}, {"rows", rows}});
+  }
+  return out;
+}
+
+json semi_tangential_record() {
+  json out = json::array();
+  for (const SemiTangential& of : semi_tangential()) {
+    json rows = json::array();
+    for (const Entry& entry : formulations()) {
+      const auto& load = critical_of(entry, of);
+      rows.push_back({{"formulation", entry.name}, {"ratio", load ? number(*load / of.critical) : json()}});
+    }
+    out.push_back({{"stiffness", of.name}, {"rod", rounded(of.critical, 12)}, {"rows", rows}});
+  }
+  return out;
+}
+
+json force_record() {
+  json out = json::array();
+  for (const Where where : kWhere) {
+    json rows = json::array();
+    for (const Entry& entry : formulations()) {
+      const ForceErrors& errors = force_errors(entry, where);
+      json error = json::array();
+      for (const double x : errors) error.push_back(number(x));
+      rows.push_back({{"formulation", entry.name}, {"error", error}, {"order", number(growth(errors))}});
+    }
+    out.push_back({{"where", to_string(where)}, {"force", kForces}, {"rows", rows}});
+  }
+  return out;
+}
+
+struct Part {
+  const char* name;
+  json (*record)();
+};
+constexpr Part kParts[] = {{"skew", skew_record},
+                           {"random", random_record},
+                           {"semi_tangential", semi_tangential_record},
+                           {"force", force_record}};
+
+}  // namespace
+
+json rods_record(const std::function<void(int, int, const std::string&)>& progress) {
+  json out = json::object();
+  int done = 0;
+  for (const Part& part : kParts) {
+    out[part.name] = part.record();
+    progress(++done, int(std::size(kParts)), part.name);
+  }
+  return out;
+}
+
+}  // namespace halfway::reports
