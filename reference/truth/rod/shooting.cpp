@@ -1,4 +1,6 @@
 // Any loads: Newton on what the clamp carries until the tip carries its loads.
+#include "reference/truth/rod/shooting.hpp"
+
 #include "halfway/rotations/so3.hpp"
 #include "reference/numbers/linear_algebra.hpp"
 #include "reference/truth/rod/flow.hpp"
@@ -71,20 +73,28 @@ std::optional<Shooting> newton(const Rod& rod, const Loads& loads, Unknowns u, i
   return {};
 }
 
+Shooting shoot(const Rod& rod, const Loads& loads) {
+  Shooting unloaded;
+  unloaded.R = so3::exp<double>(rod.length * rod.curvature0);
+  return in_load_steps("shooting", unloaded, [&](double factor, const Shooting& from) {
+    return newton(rod, loads * factor, from.u, 1);
+  });
+}
+
 }  // namespace
 
 Tip solve(const Rod& rod, const Loads& loads) {
-  Shooting unloaded;
-  unloaded.R = so3::exp<double>(rod.length * rod.curvature0);
-  const Shooting coarse =
-      in_load_steps("shooting", unloaded, [&](double factor, const Shooting& from) {
-        return newton(rod, loads * factor, from.u, 1);
-      });
+  const Shooting coarse = shoot(rod, loads);
   const auto fine = newton(rod, loads, coarse.u, 2);
   if (!fine) throw std::runtime_error("rod: shooting does not converge with half the steps");
   Tip tip{fine->x, fine->R};
   tip.error = apart(tip, {coarse.x, coarse.R}, rod.length);
   return tip;
+}
+
+Clamp at_clamp(const Rod& rod, const Loads& loads) {
+  const Shooting found = shoot(rod, loads);
+  return {found.u.head<3>(), found.u.tail<3>()};
 }
 
 }  // namespace halfway::reference::rod
