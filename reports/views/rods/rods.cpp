@@ -35,7 +35,8 @@ json skew_record() {
                       {"within", {reach(followed, 0.01), reach(followed, 0.05)}}});
   }
   for (const Vec3<double>& theta : truth.rod) rod.push_back(rounded({theta[0], theta[1], theta[2]}, 6));
-  return {{"moment", truth.moment}, {"angle", rounded(truth.rod_angle, 5)}, {"theta", rod}, {"curves", curves}};
+  return {
+      {"moment", truth.moment}, {"angle", rounded(truth.rod_angle, 5)}, {"theta", rod}, {"curves", curves}};
 }
 
 json random_record() {
@@ -44,9 +45,11 @@ json random_record() {
     json rows = json::array();
     for (const Entry& entry : formulations()) {
       const Spread& s = error_of_random(entry, of);
-      rows.push_back({{"formulation", entry.name}, {"median", number(s.median)}, {"lost", s.lost}, {"of", s.of}});
+      rows.push_back(
+          {{"formulation", entry.name}, {"median", number(s.median)}, {"lost", s.lost}, {"of", s.of}});
     }
-    out.push_back({{"stiffness", of.name}, {"drawn", to_string(of.drawn)}, {"size", of.size}, {"rows", rows}});
+    out.push_back(
+        {{"stiffness", of.name}, {"drawn", to_string(of.drawn)}, {"size", of.size}, {"rows", rows}});
   }
   return out;
 }

@@ -14,10 +14,10 @@ namespace {
 using reference::Entry, reference::Scene;
 namespace rod = reference::rod;
 
-const Vec3<double> kBending{0.8, 1, 4};                ///< GJ, EI2, EI3, N m^2
-const Vec3<double> kStretching = {1e8, 1e8, 1e8};      ///< EA, GA2, GA3, N: slender
+const Vec3<double> kBending{0.8, 1, 4};                    ///< GJ, EI2, EI3, N m^2
+const Vec3<double> kStretching = {1e8, 1e8, 1e8};          ///< EA, GA2, GA3, N: slender
 const Vec3<double> kDirection = Vec3<double>(-1, 0.4, 1);  ///< N, skew to every axis of the section
-constexpr double kLength = 1;                          ///< m
+constexpr double kLength = 1;                              ///< m
 
 /// From the tip back to where the force acts, axes of the tip's section, m.
 Vec3<double> arm(Where where) { return {where == Where::tip ? 0 : -kLength / 2, 0, 0}; }
@@ -50,8 +50,8 @@ const Vec3<double>& truth(std::size_t i, Where where) {
   return all[std::size_t(where)][i];
 }
 
-/// Joint at mid-length: there a straight rod's bending and shearing decouple, K = (EA/L, 12 EI3/L^3, 12 EI2/L^3)
-/// and (GJ, EI2, EI3)/L.
+/// Joint at mid-length: there a straight rod's bending and shearing decouple, K = (EA/L, 12 EI3/L^3, 12
+/// EI2/L^3) and (GJ, EI2, EI3)/L.
 Scene joint_scene(double share, Where where) {
   Scene out;
   out.joint.kind = Kind::linear_angular;

@@ -1,5 +1,5 @@
-// A dead force on a slender rod and on one joint at its middle: at the tip, and at the special point of the paper
-// [47-50], where the joint is and force and rotation decouple.
+// A dead force on a slender rod and on one joint at its middle: at the tip, and at the special point of the
+// paper [47-50], where the joint is and force and rotation decouple.
 #pragma once
 
 #include "reference/face/registry.hpp"

@@ -86,7 +86,7 @@ Vec3<double> any_direction(reference::Generator& random) {
 Draws drawn(const RandomMoments& of) {
   reference::Generator random(2026);
   Draws out;
-  for (int i = 0; i < by_effort(400, 20); ++i) {
+  for (int i = 0; i < by_effort(200, 100); ++i) {
     Vec3<double> turn = any_direction(random);
     if (of.drawn == Drawn::moment) turn = turn.cwiseQuotient(of.stiffness).normalized();
     out.moment.push_back(of.size * of.stiffness.cwiseProduct(turn));
@@ -125,8 +125,8 @@ const Vec3<double>& block_stiffness() {
   return k;
 }
 
-/// Is the joint stable against every small turn about this state? Two turns may lose that at the same load, where
-/// the determinant only touches zero.
+/// Is the joint stable against every small turn about this state? Two turns may lose that at the same load,
+/// where the determinant only touches zero.
 bool holds(const reference::LoadedState<double>& state) {
   return reference::characteristic(state.J, {}, state.R).positive();
 }
@@ -135,7 +135,9 @@ std::optional<double> first_divergence(const Entry& entry, const Vec3<double>& s
   constexpr reference::MomentSetting kSemi{reference::MomentType::semi_tangential, false};
   constexpr int kSamples = 1501;  // odd, so that none falls on a quarter of a turn
   const reference::JointSpec spec = moment_scene(stiffness, Vec3<double>::UnitX()).joint;
-  const auto state = [&](double angle) { return reference::loaded_state<double>(entry, spec, 0, kSemi, angle); };
+  const auto state = [&](double angle) {
+    return reference::loaded_state<double>(entry, spec, 0, kSemi, angle);
+  };
   const double end = reference::PrimaryPath(entry, spec, 0).end_angle();
   double low = end / kSamples, high = low;
   while (holds(state(high)) && state(high).load > 0) {

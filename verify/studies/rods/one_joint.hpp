@@ -31,8 +31,8 @@ struct SkewMoment {
 const SkewMoment& skew_moment();
 const Followed& follows_skew_moment(const reference::Entry& entry);
 
-/// What is random: the direction of the moment, so that most of the turn is about the softest axis; or that of
-/// the turn K^-1 m, which takes all axes alike and large moments about the stiff ones.
+/// What is random: the direction of the moment, so that most of the turn is about the softest axis; or that
+/// of the turn K^-1 m, which takes all axes alike and large moments about the stiff ones.
 enum class Drawn { moment, turn };
 const char* to_string(Drawn drawn);
 
