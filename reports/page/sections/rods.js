@@ -62,7 +62,7 @@ function forceTable(results) {
   if (!columns.length) return new Absent('the results hold no forces on rods (rods.force)');
   const at = (/** @type {import('../results').EndForce} */ c) => c.force.indexOf(0.1);
   const cell = (/** @type {any} */ row, /** @type {import('../results').EndForce} */ c) =>
-    `${percent(row.error[at(c)])} (${isNumber(row.order) ? row.order.toFixed(1) : '–'})`;
+    `${percent(row.error[at(c)])} (${isNumber(row.order) ? (Math.round(10 * row.order) / 10 + 0).toFixed(1) : '–'})`;
   const heads = columns.map((c) => `force on the ${c.where === 'tip' ? 'tip' : 'special point'}`);
   return plainTable(
     'A dead force on a slender rod',
@@ -92,6 +92,11 @@ export const rodParts = (results) => [
     build: () => followFigure(results)
   },
   {id: 'rod-random', title: 'Moments of any direction', build: () => randomTables(results)},
-  {id: 'rod-critical', title: 'Buckling that a rod has', build: () => semiTangentialTable(results)},
-  {id: 'rod-force', title: 'Forces', build: () => forceTable(results)}
+  {
+    id: 'rod-critical',
+    title: 'Buckling that a rod has',
+    half: true,
+    build: () => semiTangentialTable(results)
+  },
+  {id: 'rod-force', title: 'Forces', half: true, build: () => forceTable(results)}
 ];

@@ -6,7 +6,7 @@ import {Absent} from '../../parts.js';
 import {linesSpec, logAxis, RowsPanel} from '../log_lines.js';
 
 const FLOOR = 1e-6; // of the axis: what is better is as good for a chart
-const kCeiling = 3; // beyond it a joint is simply elsewhere
+const kCeiling = 5; // beyond it a joint is simply elsewhere
 
 function spec(rows, only) {
   const x = {
