@@ -29,9 +29,9 @@ Section of_stiffness(const Vec3<double>& bending, const Vec3<double>& stretching
 Section of_stiffness(const Vec3<double>& bending);
 
 struct Rod {
-  double length = 1;                       ///< m
-  Section section{};                       ///< of every s where `taper` is not set
-  Vec3<double> curvature0{0, 0, 0};        ///< without load, along the section's axes, rad/m
+  double length = 1;                         ///< m
+  Section section{};                         ///< of every s where `taper` is not set
+  Vec3<double> curvature0{0, 0, 0};          ///< without load, along the section's axes, rad/m
   std::function<Section(double s)> taper{};  ///< the section at s, smooth in s
 };
 

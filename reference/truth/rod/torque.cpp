@@ -52,8 +52,8 @@ double critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, do
   const auto f = [&](double M) { return torque_determinant(rod, ends, M, P); };
   constexpr int kSamples = 24;
   const double step = (high - low) / kSamples;
-  // Gauss and Newton from the sample before which |f| falls and after which it rises; what it stops at is a zero if f
-  // is nothing there beside what it was.
+  // Gauss and Newton from the sample before which |f| falls and after which it rises; what it stops at is a
+  // zero if f is nothing there beside what it was.
   for (int i = 1; i < kSamples; ++i) {
     double M = low + i * step;
     const double before = std::abs(f(M - step)), here = std::abs(f(M)), after = std::abs(f(M + step));
