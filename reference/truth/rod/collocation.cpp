@@ -166,7 +166,7 @@ Tip at_degree(const Rod& rod, const Loads& loads, int degree) {
 }  // namespace
 
 Tip collocate(const Rod& rod, const Loads& loads, int degree) {
-  if (degree < 4) throw std::invalid_argument("rod: collocation needs a degree of 4 at least");
+  if (degree < 8) throw std::invalid_argument("rod: collocation needs a degree of 8 at least");
   Tip tip = at_degree(rod, loads, degree);
   tip.error = apart(tip, at_degree(rod, loads, degree - 4), rod.length);
   return tip;

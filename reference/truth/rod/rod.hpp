@@ -75,7 +75,7 @@ Mat3<double> end_rotation(const Mat3<double>& stiffness, const Vec3<double>& mom
 /// std::runtime_error that says up to which share of the loads it came.
 Tip solve(const Rod& rod, const Loads& loads);
 
-/// The same by Chebyshev collocation of degree `degree` (>= 4) in the integral form of the equations, a road
+/// The same by Chebyshev collocation of degree `degree` (>= 8) in the integral form of the equations, a road
 /// that shares the equations above and nothing else with solve(). `error` is by `degree` - 4.
 /// Throws std::runtime_error as solve() does.
 Tip collocate(const Rod& rod, const Loads& loads, int degree);
