@@ -127,6 +127,31 @@ std::vector<Finding> conservative_moments() {
           digits_finding("critical/semi_tangential/digits", digits)};
 }
 
+/// Of a strip that is rigid about axis 3 the determinant under a semi-tangential moment about it touches
+/// zero; one that gives way there has two zeros and a negative determinant between them.
+std::vector<Finding> double_zero() {
+  constexpr int kOthers[] = {3, 4};
+  const auto value = [&](const rod::Rod& r, double M) {
+    const Vec3<double> m(0, 0, M);
+    const rod::End end = rod::free_end(rod::of_semi_tangential_moment(m));
+    return determinant(rod::clamped(), rod::carried(r, Vec3<double>::Zero(), m).changes, end, kOthers);
+  };
+  const double mean = closed::semi_tangential(std::sqrt(0.65), 1);
+  const double touched = value(of_length(1, {0.65, 1, kRigid}), mean);
+  const double between = value(of_length(1, {0.65, 1, 10}), mean);
+  return {
+      rod_finding("critical/semi_tangential/double")
+          .measured(std::abs(tapped(touched)))
+          .in("of the determinant without load")
+          .at_most(1e-12, "a double zero: the square of what rounding moves it by")
+          .by(Oracle::closed_form),
+      rod_finding("critical/semi_tangential/split")
+          .measured(tapped(between))
+          .in("of the determinant without load")
+          .at_most(-1e-4, "negative, by more than rounding: the state bent before it buckles splits the zero")
+          .by(Oracle::independent)};
+}
+
 // Strips --------------------------------------------------------------------------------------------
 
 std::vector<Finding> strips() {
@@ -182,6 +207,7 @@ void rod_critical(Checks& checks) {
   checks.push_back({"rods/critical/torque", "", torques});
   checks.push_back({"rods/critical/none", "", no_torque});
   checks.push_back({"rods/critical/conservative", "", conservative_moments});
+  checks.push_back({"rods/critical/double_zero", "", double_zero});
   checks.push_back({"rods/critical/strips", "", strips});
   checks.push_back({"rods/critical/flutter", "", flutters});
 }
