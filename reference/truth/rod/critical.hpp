@@ -35,8 +35,8 @@ double critical_semi_tangential(const Rod& rod, int axis, double high);
 /// @param arm  of the dead forces, a unit vector at right angles to the axis
 double critical_quasi_tangential(const Rod& rod, int axis, const Vec3<double>& arm, double high);
 
-/// The first moment about axis 3, uniform along the rod between forks, at which it twists out of the plane. At pi
-/// EI3/length, where it is half a circle, forks let it turn about its chord whatever it is made of.
+/// The first moment about axis 3, uniform along the rod between forks, at which it twists out of the plane.
+/// At pi EI3/length, where it is half a circle, forks let it turn about its chord whatever it is made of.
 double critical_fork_moment(const Rod& rod, double high);
 
 /// The first dead force along axis 2 on the tip, at which the rod, bent by it, twists out of the plane 1, 2.

@@ -68,6 +68,22 @@ std::vector<KeptTip> kept_tips() {
 
 Vec3<double> rotation_of(const Mat3<double>& R) { return reference::closed::rotation_vector(R); }
 
+rod::Rod straight_rod(double length, const Vec3<double>& bending) {
+  rod::Rod out;
+  out.length = length;
+  out.section = rod::of_stiffness(bending);
+  return out;
+}
+
+Finding critical_finding(const std::string& name, const Measurement& worst) {
+  return rod_finding("critical/" + name)
+      .measured(worst)
+      .in("relative")
+      .at_most(1e-12,
+               "closed forms: rounding of some hundred steps over the slope of the determinant at its zero")
+      .by(Oracle::closed_form);
+}
+
 double relative(double a, double b) { return std::abs(tapped(a) / b - 1); }
 
 }  // namespace halfway::verify

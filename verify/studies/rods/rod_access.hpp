@@ -43,6 +43,13 @@ std::vector<KeptTip> kept_tips();
 /// The rotation vector of R by the formula that shares nothing with the library's, 0 < |theta| < pi.
 Vec3<double> rotation_of(const Mat3<double>& R);
 
+/// Straight, uniform, inextensible.
+/// @param bending  (GJ, EI2, EI3), N m^2; infinite where it is rigid
+reference::rod::Rod straight_rod(double length, const Vec3<double>& bending);
+
+/// A critical load by the rod's determinants, relative to the closed form.
+Finding critical_finding(const std::string& name, const Measurement& worst);
+
 /// |a/b - 1| of a value a on its way into a check.
 double relative(double a, double b);
 

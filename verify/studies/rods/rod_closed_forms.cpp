@@ -28,19 +28,11 @@ Finding closed_finding(const std::string& name, const Measurement& worst, const 
       .by(Oracle::closed_form);
 }
 
-/// Inextensible and of any length and stiffness EI3; bends about axis 3.
-rod::Rod planar(double length, double stiffness) {
-  rod::Rod out;
-  out.length = length;
-  out.section = rod::of_stiffness({0.7, 1.9, stiffness});
-  return out;
-}
-
 constexpr double kLength = 1.7, kStiffness = 2.3;
 
 /// The rod's tip, by alpha = P L^2/EI: angle, x, y over the length.
 Vec3<double> by_rod(double alpha, const closed::Elastica& e, bool is_thrust) {
-  const rod::Rod r = planar(kLength, kStiffness);
+  const rod::Rod r = straight_rod(kLength, {0.7, 1.9, kStiffness});
   const double P = alpha * kStiffness / (kLength * kLength);
   rod::Tip tip;
   if (is_thrust) {
@@ -80,9 +72,7 @@ std::vector<Finding> helix_about_moment() {
   Measurement worst;
   for (const Vec3<double>& m :
        {Vec3<double>(1.2, 0.7, -2), Vec3<double>(-4, 3, 5), Vec3<double>(0.1, -9, 0)}) {
-    rod::Rod r;
-    r.length = 1.3;
-    r.section = rod::of_stiffness({0.8, 1.1, 1.1});
+    const rod::Rod r = straight_rod(1.3, {0.8, 1.1, 1.1});
     const rod::Tip exact = closed::under_moment(1.1, 0.8, r.length, m);
     worst.include(tapped(rod::apart(tip_under_moment(r, m), exact, r.length)),
                   fmt::format("{:.3g} N m", m.norm()));
@@ -97,10 +87,8 @@ std::vector<Finding> helix_under_wrench() {
   const nlohmann::json& kept = kept_rods().at("closed").at("wrench");
   digits.include(digits_apart(wrench.force, kept.at(0)), "force");
   digits.include(digits_apart(wrench.couple, kept.at(1)), "couple");
-  rod::Rod r;
-  r.section = rod::of_stiffness({helix.C, helix.B, helix.B});
   for (const double length : {0.5, 1., 2.5}) {
-    r.length = length;
+    const rod::Rod r = straight_rod(length, {helix.C, helix.B, helix.B});
     const closed::HelixState clamp = along(helix, 0), exact = along(helix, length);
     const rod::State start{clamp.x, clamp.R, clamp.m};
     const rod::State end =

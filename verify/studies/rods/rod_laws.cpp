@@ -36,11 +36,15 @@ double misfit(const M3& K, const Vec3<double>& m) {
 
 std::vector<Finding> third_order() {
   Measurement worst;
-  for (const Vec3<double>& k : {Vec3<double>(1, 2, 3), Vec3<double>(9, 1, 35), Vec3<double>(1, 10, 100)}) {
+  struct {
+    Vec3<double> k;
+    double largest_ratio;
+  } const kCases[] = {{{1, 2, 3}, 3}, {{9, 1, 35}, 35}, {{1, 10, 100}, 100}};
+  for (const auto& [k, largest_ratio] : kCases) {
     const M3 K = stiffness(k);
     for (const Vec3<double>& turn : {Vec3<double>(0.6, -0.3, 0.7), Vec3<double>(0.2, 0.9, -0.4)}) {
       // The series is one in the rotation times the ratio of stiffnesses.
-      const double size = 0.1 * k.minCoeff() / k.maxCoeff();
+      const double size = 0.1 / largest_ratio;
       const double ratio = misfit(K, 2 * size * (K * turn)) / misfit(K, size * (K * turn));
       worst.include(std::abs(tapped(ratio) - 4), fmt::format("stiffness {}, {}, {}", k[0], k[1], k[2]));
     }
@@ -119,9 +123,7 @@ std::vector<Finding> end_rotations() {
     }
   }
   const Vec3<double> k(2, 3, 1), m(1.5, -2, 0.7);
-  rod::Rod r;
-  r.length = 1.6;
-  r.section = rod::of_stiffness(r.length * k);
+  const rod::Rod r = straight_rod(1.6, 1.6 * k);
   const M3 R = rod::end_rotation(k.asDiagonal(), m);
   collocated.include(reference::largest_entry<double>(tapped<M3>(R) - collocate(r, {.moment = m}, 24).R),
                      "by collocation");

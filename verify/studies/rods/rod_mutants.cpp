@@ -42,8 +42,7 @@ Measurement taper_defect(bool has_one_xi) {
 /// A cantilever under a dead force on its tip bends before it buckles; the factor of the strip between forks
 /// does not tell by how much that helps.
 Measurement tip_force_defect(bool by_fork_factor) {
-  rod::Rod r;
-  r.section = rod::of_stiffness({0.65, 1, 10});
+  const rod::Rod r = straight_rod(1, {0.65, 1, 10});
   const double found = critical_tip_force(r, 6);
   const double factor = 1 / std::sqrt((1 - 1 / 10.) * (1 - 0.65 / 10));
   const double kept = std::stod(kept_rods().at("tip_force").at("rows").at(1).at(1).get<std::string>());

@@ -20,16 +20,14 @@ struct Refusal {
 };
 
 rod::Rod curved() {
-  rod::Rod out;
-  out.section = rod::of_stiffness({1, 2, 3});
+  rod::Rod out = straight_rod(1, {1, 2, 3});
   out.curvature0 = {0, 0, 1};
   return out;
 }
 
 std::vector<Refusal> refusals() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  rod::Rod straight = curved();
-  straight.curvature0.setZero();
+  const rod::Rod straight = straight_rod(1, {1, 2, 3});
   const auto one_shape = [](double) { return rod::Section{{1, 1, 2}}; };
   return {{"negative_stiffness", "not positive",
            [] {
