@@ -29,7 +29,8 @@ ChebyshevRule chebyshev_rule(int degree) {
     out.points[i] = sine * sine;
     for (int j = 0; j <= degree; ++j) {
       for (int k = 0; k <= degree; ++k) {
-        const double weight = (is_end(j) ? 0.5 : 1.) * (is_end(k) ? 0.5 : 1.) / degree;  // [0, 1]: half of 2/degree
+        const double weight =
+            (is_end(j) ? 0.5 : 1.) * (is_end(k) ? 0.5 : 1.) / degree;  // [0, 1]: half of 2/degree
         out.integral(i, j) += weight * polynomial(k, j, degree) * integral_of_polynomial(k, i, degree);
       }
     }

@@ -7,8 +7,9 @@ namespace halfway::reference::rod {
 
 /// Of the interval [0, 1].
 struct ChebyshevRule {
-  Eigen::VectorXd points;    ///< degree + 1 of them, ascending, both ends among them
-  Eigen::MatrixXd integral;  ///< times values at the points: the integral of their polynomial from 0 to each point
+  Eigen::VectorXd points;  ///< degree + 1 of them, ascending, both ends among them
+  Eigen::MatrixXd
+      integral;  ///< times values at the points: the integral of their polynomial from 0 to each point
 };
 
 /// @param degree  of the polynomials, 1 or more

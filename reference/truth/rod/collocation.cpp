@@ -1,5 +1,5 @@
-// Chebyshev collocation: no marching along s, no shooting. Orientations are quaternions here, so that not even
-// the kinematics are those of the flow.
+// Chebyshev collocation: no marching along s, no shooting. Orientations are quaternions here, so that not
+// even the kinematics are those of the flow.
 #include "halfway/rotations/so3.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/truth/rod/chebyshev.hpp"
@@ -16,14 +16,14 @@ namespace halfway::reference::rod {
 namespace {
 
 constexpr int kSize = 7;  // q = (w, v), then x, at each point
-constexpr int kIterations = 30;
+constexpr int kMostIterations = 30;
 constexpr double kLargestChange = 0.25;  ///< of an entry of q, of x over the length, in one iteration
-constexpr double kNear = 1e-7;
+constexpr double kSmallChange = 1e-7;
 
 using Values = Eigen::Matrix<double, kSize, 1>;
 
 struct Points {
-  Eigen::VectorXd values;  ///< kSize at each of the points from the clamp to the tip
+  Eigen::VectorXd values;                     ///< kSize at each of the points from the clamp to the tip
   Mat3<double> R = Mat3<double>::Identity();  ///< of the tip
 
   Values at(long i) const { return values.segment<kSize>(kSize * i); }
@@ -60,15 +60,17 @@ class Collocation {
     Points out{Eigen::VectorXd(kSize * count()), so3::exp<double>(rod_.length * rod_.curvature0)};
     for (long i = 0; i < count(); ++i) {
       const double s = rule_.points[i] * rod_.length;
-      const Eigen::Quaterniond q(Eigen::AngleAxisd(s * rod_.curvature0.norm(), rod_.curvature0.stableNormalized()));
-      out.values.segment<kSize>(kSize * i) << q.w(), q.vec(), s * so3::gamma<double>(s * rod_.curvature0).col(0);
+      const Eigen::Quaterniond q(
+          Eigen::AngleAxisd(s * rod_.curvature0.norm(), rod_.curvature0.stableNormalized()));
+      out.values.segment<kSize>(kSize * i) << q.w(), q.vec(),
+          s * so3::gamma<double>(s * rod_.curvature0).col(0);
     }
     return out;
   }
 
   std::optional<Points> newton(const Loads& loads, Points at) const {
     bool is_near = false;
-    for (int i = 0; i < kIterations; ++i) {
+    for (int i = 0; i < kMostIterations; ++i) {
       const Eigen::VectorXd change = increment(loads, at);
       const double move = size_of(change);
       if (!std::isfinite(move)) break;
@@ -77,7 +79,7 @@ class Collocation {
         at.R = turned(at.at(count() - 1));
         return at;
       }
-      is_near = move < kNear;
+      is_near = move < kSmallChange;
     }
     return {};
   }
@@ -109,10 +111,10 @@ class Collocation {
   ChebyshevRule rule_;
 };
 
-/// Differences of rate() by what is at the point (columns 0 to 6) and at the tip: good to some ten digits, which
-/// makes Newton converge by as many a step and leaves what it converges to alone.
+/// Differences of rate() by what is at the point (columns 0 to 6) and at the tip: good to some ten digits,
+/// which makes Newton converge by as many a step and leaves what it converges to alone.
 Eigen::Matrix<double, kSize, 2 * kSize> Collocation::rate_by(const Loads& loads, double s, const Values& y,
-                                                              const Values& tip) const {
+                                                             const Values& tip) const {
   Eigen::Matrix<double, kSize, 2 * kSize> out;
   for (int k = 0; k < 2 * kSize; ++k) {
     const double h = 1e-6 * (k % kSize < 4 ? 1 : rod_.length);
@@ -155,16 +157,16 @@ double Collocation::size_of(const Eigen::VectorXd& change) const {
 
 Tip at_degree(const Rod& rod, const Loads& loads, int degree) {
   const Collocation collocation(rod, degree);
-  const Points end = in_load_steps("collocation", collocation.unloaded(), [&](double factor, const Points& from) {
-    return collocation.newton(loads * factor, from);
-  });
+  const Points end = in_load_steps(
+      "collocation", collocation.unloaded(),
+      [&](double factor, const Points& from) { return collocation.newton(loads * factor, from); });
   return {end.values.tail<3>(), end.R};
 }
 
 }  // namespace
 
 Tip collocate(const Rod& rod, const Loads& loads, int degree) {
-  if (degree < 4) throw std::invalid_argument("rod: collocation needs a degree of 4 at least");
+  if (degree < 8) throw std::invalid_argument("rod: collocation needs a degree of 8 at least");
   Tip tip = at_degree(rod, loads, degree);
   tip.error = apart(tip, at_degree(rod, loads, degree - 4), rod.length);
   return tip;

@@ -2,6 +2,7 @@
 
 #include "reference/numbers/linear_algebra.hpp"
 #include "reference/truth/rod/shooting.hpp"
+#include "reference/truth/rod/zero.hpp"
 
 #include <array>
 

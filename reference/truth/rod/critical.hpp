@@ -1,5 +1,5 @@
-// Critical loads of rods: where the determinant of the changes that the ends admit first vanishes. Each is of the
-// equilibrium as it is, bent before it buckles, unless the section is rigid against that.
+// Critical loads of rods: where the determinant of the changes that the ends admit first vanishes. Each is of
+// the equilibrium as it is, bent before it buckles, unless the section is rigid against that.
 #pragma once
 
 #include "reference/truth/rod/stability.hpp"
@@ -8,34 +8,35 @@
 
 namespace halfway::reference::rod {
 
-/// The ends of a straight rod that carries a torque and a thrust. The torque keeps its direction (fixed) or turns with
-/// the end (follower); the thrust keeps its own.
+/// The ends of a straight rod that carries a torque and a thrust. The torque keeps its direction (fixed) or
+/// turns with the end (follower); the thrust keeps its own.
 enum class TorqueEnds {
-  hinged_fixed,           ///< both ends, free to bend
-  hinged_follower,        ///< both ends, free to bend
-  clamped,                ///< both ends
-  clamped_hinged_fixed,   ///< and the other end not held in its place below
+  hinged_fixed,          ///< both ends, free to bend
+  hinged_follower,       ///< both ends, free to bend
+  clamped,               ///< both ends
+  clamped_hinged_fixed,  ///< and the other end not held in its place below
   clamped_hinged_follower,
   clamped_free_fixed,
   clamped_free_follower
 };
 
-/// The determinant of a straight rod with EI2 = EI3 under a torque M and a thrust P, its two lateral directions as
-/// one complex number: (2) + i (3). It needs no more than that to vanish, and has a zero where the determinant of
-/// all directions, its square, has a double one.
+/// The determinant of a straight rod with EI2 = EI3 under a torque M and a thrust P, its two lateral
+/// directions as one complex number: (2) + i (3). It needs no more than that to vanish, and has a zero where
+/// the determinant of all directions, its square, has a double one.
 std::complex<double> torque_determinant(const Rod& rod, TorqueEnds ends, double M, double P);
 
 /// The first torque between `low` and `high` at which it vanishes, to rounding; NaN where it does not.
 double critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, double high);
 
-/// The first conservative moment below `high` about `axis` (0, 1, 2), alone on the tip, at which the smallest stiffness
-/// of the tip against turns about the other two vanishes. A double zero changes its sign as well.
+/// The first conservative moment below `high` about `axis` (0, 1, 2), alone on the tip, at which the smallest
+/// stiffness of the tip against turns about the other two vanishes. A double zero changes its sign as well.
 /// @param high  N m; the flexibility of the tip has to be regular up to there
 double critical_semi_tangential(const Rod& rod, int axis, double high);
 /// @param arm  of the dead forces, a unit vector at right angles to the axis
 double critical_quasi_tangential(const Rod& rod, int axis, const Vec3<double>& arm, double high);
 
 /// The first moment about axis 3, uniform along the rod between forks, at which it twists out of the plane.
+/// At pi EI3/length, where it is half a circle, forks let it turn about its chord whatever it is made of.
 double critical_fork_moment(const Rod& rod, double high);
 
 /// The first dead force along axis 2 on the tip, at which the rod, bent by it, twists out of the plane 1, 2.

@@ -8,12 +8,13 @@ namespace halfway::reference::rod {
 
 /// A section and what acts across it, in global axes.
 struct State {
-  Vec3<double> x{0, 0, 0};                         ///< m
-  Mat3<double> R = Mat3<double>::Identity();       ///< section -> global
-  Vec3<double> m{0, 0, 0};                         ///< N m
+  Vec3<double> x{0, 0, 0};                    ///< m
+  Mat3<double> R = Mat3<double>::Identity();  ///< section -> global
+  Vec3<double> m{0, 0, 0};                    ///< N m
 };
 
-/// Small changes of a state, a column each: dx, w (the spin: dR = [w] R), dm, dn; three rows each, global axes.
+/// Small changes of a state, a column each: dx, w (the spin: dR = [w] R), dm, dn; three rows each, global
+/// axes.
 using Changes = Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 12>;
 inline constexpr int kX = 0, kSpin = 3, kMoment = 6, kForce = 9;
 

@@ -17,27 +17,36 @@ Flutter follower_flutter(const Rod& rod, double mass_per_length, Flutter near) {
   return flutter(value, near);
 }
 
-Flutter flutter(const std::function<double(double, double)>& f, Flutter near) {
-  // Frequencies meet where f has a double zero in the frequency: f = 0 and df = 0, by Newton. Differences of order 8:
-  // with such a step their error is at rounding, because f is entire in the squares of the frequency.
+namespace {
+
+/// df/dw by differences of order 8: with such steps their error is at rounding, f being entire in w^2.
+double slope(const std::function<double(double, double)>& f, const Flutter& at, double h) {
   constexpr double kWeights[] = {4. / 5, -1. / 5, 4. / 105, -1. / 280};
-  const double h = 0.02 * near.frequency, h_load = 1e-4 * near.load;
-  const auto slope = [&](double load, double frequency) {
-    double out = 0;
-    for (int i = 0; i < 4; ++i)
-      out += kWeights[i] * (f(load, frequency + (i + 1) * h) - f(load, frequency - (i + 1) * h));
-    return out / h;
-  };
-  constexpr int kIterations = 30;
-  for (int i = 0; i < kIterations; ++i) {
+  double out = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double step = (i + 1) * h;
+    out += kWeights[i] * (f(at.load, at.frequency + step) - f(at.load, at.frequency - step));
+  }
+  return out / h;
+}
+
+}  // namespace
+
+Flutter flutter(const std::function<double(double, double)>& f, Flutter near) {
+  // Frequencies meet where f has a double zero in w: f = 0 and df/dw = 0, by Newton. Its matrix is good to
+  // some three digits, which is how many an iteration adds.
+  constexpr int kTimes = 30;
+  for (int i = 0; i < kTimes; ++i) {
     const auto [P, w] = near;
-    const double value = f(P, w), by_w = slope(P, w);
-    const double by_P = (f(P + h_load, w) - f(P - h_load, w)) / (2 * h_load);
-    const double by_wP = (slope(P + h_load, w) - slope(P - h_load, w)) / (2 * h_load);
-    const double by_ww = (slope(P, w + h) - slope(P, w - h)) / (2 * h);
-    const double determinant = by_P * by_ww - by_w * by_wP;
-    const double dP = (by_w * by_w - value * by_ww) / determinant;
-    const double dw = (value * by_wP - by_P * by_w) / determinant;
+    const double h = 0.02 * w, h_P = 0.01 * P;
+    const double here = f(P, w), by_w = slope(f, near, h);
+    const double by_P = (f(P + h_P, w) - f(P - h_P, w)) / (2 * h_P);
+    const double by_ww = (f(P, w + h) - 2 * here + f(P, w - h)) / (h * h);
+    const double by_wP =
+        (f(P + h_P, w + h) - f(P + h_P, w - h) - f(P - h_P, w + h) + f(P - h_P, w - h)) / (4 * h_P * h);
+    const double determinant_of_both = by_P * by_ww - by_w * by_wP;
+    const double dP = (by_w * by_w - here * by_ww) / determinant_of_both;
+    const double dw = (here * by_wP - by_P * by_w) / determinant_of_both;
     near = {P + dP, w + dw};
     if (std::abs(dP / P) + std::abs(dw / w) < 1e-13) return near;
   }

@@ -1,5 +1,5 @@
-// Along the load from none to all of it: what keeps shooting and collocation on the branch that grows from the
-// rod without load.
+// Along the load from none to all of it: what keeps shooting and collocation on the branch that grows from
+// the rod without load.
 #pragma once
 
 #include "reference/truth/rod/rod.hpp"
@@ -17,8 +17,8 @@ double apart(const Tip& one, const Tip& other, double length);
 /// The angle between two orientations, rad.
 double turn_between(const Mat3<double>& one, const Mat3<double>& other);
 
-/// From `point`, the rod without load, to the point at the factor 1 of the loads. A step that fails, or turns the
-/// tip by more than 1 rad, is halved; one that succeeds is followed by one twice as long.
+/// From `point`, the rod without load, to the point at the factor 1 of the loads. A step that fails, or turns
+/// the tip by more than 1 rad, is halved; one that succeeds is followed by one twice as long.
 /// @param attempt  (factor, from) -> std::optional<Point>; a Point has the orientation `R` of its tip
 template <class Point, class Attempt>
 Point in_load_steps(const char* method, Point point, const Attempt& attempt) {

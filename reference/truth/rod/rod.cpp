@@ -10,7 +10,7 @@
 namespace halfway::reference::rod {
 
 Section of_stiffness(const Vec3<double>& bending, const Vec3<double>& stretching) {
-  if (!(bending.minCoeff() > 0) || !(stretching.minCoeff() > 0))
+  if (!(bending.array() > 0).all() || !(stretching.array() > 0).all())
     throw std::invalid_argument("rod: a stiffness of its section is not positive");
   return {bending.cwiseInverse(), stretching.cwiseInverse()};
 }

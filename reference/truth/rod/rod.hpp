@@ -29,9 +29,9 @@ Section of_stiffness(const Vec3<double>& bending, const Vec3<double>& stretching
 Section of_stiffness(const Vec3<double>& bending);
 
 struct Rod {
-  double length = 1;                       ///< m
-  Section section{};                       ///< of every s where `taper` is not set
-  Vec3<double> curvature0{0, 0, 0};        ///< without load, along the section's axes, rad/m
+  double length = 1;                         ///< m
+  Section section{};                         ///< of every s where `taper` is not set
+  Vec3<double> curvature0{0, 0, 0};          ///< without load, along the section's axes, rad/m
   std::function<Section(double s)> taper{};  ///< the section at s, smooth in s
 };
 
@@ -75,7 +75,7 @@ Mat3<double> end_rotation(const Mat3<double>& stiffness, const Vec3<double>& mom
 /// std::runtime_error that says up to which share of the loads it came.
 Tip solve(const Rod& rod, const Loads& loads);
 
-/// The same by Chebyshev collocation of degree `degree` (>= 4) in the integral form of the equations, a road
+/// The same by Chebyshev collocation of degree `degree` (>= 8) in the integral form of the equations, a road
 /// that shares the equations above and nothing else with solve(). `error` is by `degree` - 4.
 /// Throws std::runtime_error as solve() does.
 Tip collocate(const Rod& rod, const Loads& loads, int degree);

@@ -12,8 +12,8 @@
 namespace halfway::reference::rod {
 namespace {
 
-constexpr double kLargestTurn = 0.5;  ///< rad, of the tip in one iteration: beyond, Newton may leave the branch
-constexpr double kNear = 1e-9;        ///< Newton squares its errors: after such a step rounding alone is left
+constexpr double kTipTurn = 0.5;  ///< rad, of the tip in one iteration: beyond, Newton may leave the branch
+constexpr double kNear = 1e-9;    ///< Newton squares its errors: after such a step rounding alone is left
 constexpr int kIterations = 30;
 
 /// n and m at the clamp: the unknowns.
@@ -68,7 +68,7 @@ std::optional<Shooting> newton(const Rod& rod, const Loads& loads, Unknowns u, i
     const double move = move_of(rod, at, du);
     if (!std::isfinite(move)) break;
     is_near = move < kNear;
-    u += std::min(1., kLargestTurn / move) * du;
+    u += std::min(1., kTipTurn / move) * du;
   }
   return {};
 }

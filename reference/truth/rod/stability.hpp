@@ -1,5 +1,5 @@
-// Small changes of a loaded rod: what each end admits and demands, and the determinant of both, which vanishes
-// where the rod has a second equilibrium next to its own, or a vibration of the frequency asked for.
+// Small changes of a loaded rod: what each end admits and demands, and the determinant of both, which
+// vanishes where the rod has a second equilibrium next to its own, or a vibration of the frequency asked for.
 #pragma once
 
 #include "reference/truth/rod/flow.hpp"
@@ -19,32 +19,29 @@ Mat3<double> of_fixed_moment();                          ///< 0
 Mat3<double> of_follower_moment(const Vec3<double>& m);  ///< dm = w x m
 /// dm = w x m/2, as increments at the state under m: conservative.
 Mat3<double> of_semi_tangential_moment(const Vec3<double>& m);
-/// Two dead forces on a rigid arm along q: dm = M p (q . w), p x q = m/M, as increments at the state under m. p and
-/// q are unit vectors at right angles: conservative.
+/// Two dead forces on a rigid arm along q: dm = M p (q . w), p x q = m/M, as increments at the state under m.
+/// p and q are unit vectors at right angles: conservative.
 Mat3<double> of_quasi_tangential_moment(double M, const Vec3<double>& p, const Vec3<double>& q);
 
 End clamped();
 End hinged(const Mat3<double>& moment_by_spin);
 /// @param force_by_spin  of a force that changes with the spin, dn = B w: -[n] of a follower
 End free_end(const Mat3<double>& moment_by_spin, const Mat3<double>& force_by_spin = Mat3<double>::Zero());
-/// Held in place, its section not free to twist; free to bend both ways without a moment along its axes 2 and 3
-/// but that of the state.
+/// Held in place, its section not free to twist; free to bend both ways without a moment along its axes 2 and
+/// 3 but that of the state.
 End fork(const State& at);
 
-/// Of the changes with the places and orientations of `kept`: 0, 1, 2 place along global axes, 3, 4, 5 orientation
-/// about them. A problem that falls apart, as one of a plane state does, has a determinant for each part.
+/// Of the changes with the places and orientations of `kept`: 0, 1, 2 place along global axes, 3, 4, 5
+/// orientation about them. A problem that falls apart, as one of a plane state does, has a determinant for
+/// each part.
 double determinant(const End& start, const Changes& transfer, const End& end, std::span<const int> kept);
 
 inline constexpr int kAll[] = {0, 1, 2, 3, 4, 5};
-inline constexpr int kLateral[] = {1, 2, 4, 5};   ///< of a straight rod
-inline constexpr int kInPlane[] = {0, 1, 5};      ///< of the plane 1, 2
+inline constexpr int kLateral[] = {1, 2, 4, 5};  ///< of a straight rod
+inline constexpr int kInPlane[] = {0, 1, 5};     ///< of the plane 1, 2
 inline constexpr int kOutOfPlane[] = {2, 3, 4};
 
 /// All changes at the clamp carried to the tip of a rod that carries n and m at the clamp.
 Arrival carried(const Rod& rod, const Vec3<double>& n, const Vec3<double>& m, double inertia = 0);
-
-/// Where a function changes its sign first, scanned from `low` to `high` in `samples` steps and then bracketed down
-/// to rounding. Throws std::runtime_error where it does not.
-double first_zero(const std::function<double(double)>& f, double low, double high, int samples);
 
 }  // namespace halfway::reference::rod

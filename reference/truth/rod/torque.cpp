@@ -48,22 +48,36 @@ Complex torque_determinant(const Rod& rod, TorqueEnds ends, double M, double P) 
   return entry(1, 1) * entry(4, 4) - entry(1, 4) * entry(4, 1);
 }
 
+namespace {
+
+/// From near a zero of f by Gauss and Newton, with which |f| falls to rounding where there is one.
+double minimum(const std::function<Complex(double)>& f, double M, double h) {
+  constexpr int kTimes = 12;
+  for (int i = 0; i < kTimes; ++i) {
+    const Complex slope = (f(M + h) - f(M - h)) / (2 * h);
+    const double step = std::real(std::conj(slope) * f(M)) / std::norm(slope);
+    M -= step;
+    if (std::abs(step) < 1e-14 * M) break;
+  }
+  return M;
+}
+
+}  // namespace
+
 double critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, double high) {
   const auto f = [&](double M) { return torque_determinant(rod, ends, M, P); };
-  constexpr int kSamples = 24;
+  constexpr int kSamples = 12;
+  constexpr double kNothing = 1e-10;  // of |f| a sample away: rounding leaves 1e-14
   const double step = (high - low) / kSamples;
-  // Gauss and Newton from the sample before which |f| falls and after which it rises; what it stops at is a zero if f
-  // is nothing there beside what it was.
-  for (int i = 1; i < kSamples; ++i) {
-    double M = low + i * step;
-    const double before = std::abs(f(M - step)), here = std::abs(f(M)), after = std::abs(f(M + step));
-    if (here > before || here > after) continue;
-    for (int k = 0; k < 8; ++k) {
-      const double h = 1e-5 * step;
-      const Complex value = f(M), slope = (f(M + h) - f(M - h)) / (2 * h);
-      M -= std::real(std::conj(slope) * value) / std::norm(slope);
+  double before = std::abs(f(low)), here = std::abs(f(low + step));
+  for (int i = 2; i <= kSamples; ++i) {
+    const double after = std::abs(f(low + i * step));
+    if (here <= before && here <= after) {
+      const double M = minimum(f, low + (i - 1) * step, 1e-4 * step);
+      if (std::abs(f(M)) < kNothing * before) return M;
     }
-    if (std::abs(f(M)) < 1e-10 * before) return M;
+    before = here;
+    here = after;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
