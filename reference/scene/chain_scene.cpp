@@ -85,7 +85,9 @@ AnyScene read_any_scene(const std::filesystem::path& path) {
 
 std::vector<ChainScene> chain_scenes() {
   std::vector<ChainScene> out;
-  for (const auto& path : scene_files(scenes_folder() / "chains")) {
+  const auto folder = scenes_folder() / "chains";
+  if (!std::filesystem::is_directory(folder)) return out;
+  for (const auto& path : scene_files(folder)) {
     read_scene_file(path,
                     [&](const Field& file) -> SceneHead& { return out.emplace_back(chain_of(file, path)); });
   }

@@ -36,7 +36,7 @@ using AnyScene = std::variant<Scene, ChainScene>;
 /// Reads and checks one scene, of a chain where it has a table [chain]. Throws SceneError.
 AnyScene read_any_scene(const std::filesystem::path& file);
 
-/// The scenes of chains that stand in the folder `chains` of scenes_folder(), ordered by name. Throws
+/// The scenes of chains in the folder `chains` of scenes_folder(), where there is one, ordered by name. Throws
 /// SceneError.
 std::vector<ChainScene> chain_scenes();
 

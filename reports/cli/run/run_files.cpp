@@ -1,4 +1,4 @@
-#include "reports/cli/run_files.hpp"
+#include "reports/cli/run/run_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-#include "reports/cli/run_chart.hpp"
+#include "reports/cli/run/run_chart.hpp"
 
-#include "reports/cli/run_files.hpp"
+#include "reports/cli/run/run_files.hpp"
 #include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>

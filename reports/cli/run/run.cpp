@@ -4,9 +4,9 @@
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
-#include "reports/cli/run_chart.hpp"
-#include "reports/cli/run_choices.hpp"
-#include "reports/cli/run_files.hpp"
+#include "reports/cli/run/run_chart.hpp"
+#include "reports/cli/run/run_choices.hpp"
+#include "reports/cli/run/run_files.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 

@@ -1,7 +1,7 @@
 // The curves of one scene as text: CSV, JSON, and a table for the terminal.
 #pragma once
 
-#include "reports/cli/run_choices.hpp"
+#include "reports/cli/run/run_choices.hpp"
 
 #include <string>
 #include <vector>
