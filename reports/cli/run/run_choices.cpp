@@ -32,7 +32,7 @@ std::optional<reference::AnyScene> named(const std::vector<AScene>& scenes, cons
   return std::nullopt;
 }
 
-bool has_free_xi(const reference::Entry* entry) { return entry && entry->needs_xi; }
+bool takes_xi(const reference::Entry* entry) { return entry && entry->needs_xi; }
 
 /// Those named, or those that the scene asks for, each once.
 std::vector<const reference::Entry*> entries_of(const reference::SceneHead& scene, const Fit& fit,
@@ -88,11 +88,11 @@ std::vector<reference::Choice> run_choices(const reference::SceneHead& scene, co
     if (!std::isfinite(xi)) throw BadInput(fmt::format("--xi {}: must be a finite number", xi));
   }
   const auto entries = entries_of(scene, fit, names);
-  if (!xis.empty() && std::ranges::none_of(entries, has_free_xi))
+  if (!xis.empty() && std::ranges::none_of(entries, takes_xi))
     throw BadInput("--xi: none of the formulations to run has a free xi");
   std::vector<reference::Choice> out;
   for (const auto* entry : entries) {
-    if (!has_free_xi(entry)) {
+    if (!takes_xi(entry)) {
       out.push_back({entry, entry ? entry->probe_xi : 0.5});
       continue;
     }
@@ -112,8 +112,8 @@ std::vector<LeftOut> left_out(const reference::SceneHead& scene, const Fit& fit,
   for (const auto& entry : reference::formulations()) {
     if (std::ranges::find(choices, &entry, &reference::Choice::entry) != choices.end()) continue;
     const std::string why = fit.objection(&entry);
-    out.push_back(
-        {std::string(entry.name), why.empty() ? "needs a value: --xi 0.5, or xis = [0.5] in the scene" : why});
+    out.push_back({std::string(entry.name),
+                   why.empty() ? "needs a value: --xi 0.5, or xis = [0.5] in the scene" : why});
   }
   return out;
 }
