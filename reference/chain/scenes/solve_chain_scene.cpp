@@ -24,11 +24,6 @@ void add_shape(const ChainScene& scene, double factor, std::vector<chain::Node> 
   out.shapes.push_back({factor, std::move(nodes)});
 }
 
-chain::EndLoads scaled(const chain::EndLoads& loads, double factor) {
-  return {factor * loads.force, factor * loads.follower_force, factor * loads.moment,
-          factor * loads.follower_moment};
-}
-
 chain::Solution solved(const ChainScene& scene, const chain::Chain& chain, double factor,
                        const ChainTold& told) {
   chain::Settings settings;
@@ -39,6 +34,11 @@ chain::Solution solved(const ChainScene& scene, const chain::Chain& chain, doubl
 }
 
 }  // namespace
+
+chain::EndLoads scaled(const chain::EndLoads& loads, double factor) {
+  return {factor * loads.force, factor * loads.follower_force, factor * loads.moment,
+          factor * loads.follower_moment};
+}
 
 chain::Chain chain_of(const ChainScene& scene, const Choice& choice) {
   chain::Chain chain = scene.chain;

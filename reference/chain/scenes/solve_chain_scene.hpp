@@ -27,6 +27,8 @@ using ChainTold = std::function<bool(int done, int most)>;
 /// The chain of the scene with joints of one formulation.
 chain::Chain chain_of(const ChainScene& scene, const Choice& choice);
 
+chain::EndLoads scaled(const chain::EndLoads& loads, double factor);
+
 /// Solves the scene at each of its load factors, from rest. Where one is not reached the outcome says why,
 /// and the curve ends before it. Throws std::invalid_argument where the formulation has no batch.
 ChainAnswer solve_chain_scene(const ChainScene& scene, const Choice& choice, const ChainTold& told = {});
