@@ -1,0 +1,65 @@
+// One step of the block elimination along the chain, in rows of a 6 x 6 block.
+#pragma once
+
+#include "reference/chain/loops/row.hpp"
+
+namespace halfway::reference::chain::detail {
+
+/// u_j = y - X u_(j+1): y in the seventh column.
+template <class Isa>
+struct Factors {
+  Row<Isa> row[6];
+};
+
+/// D - A [X | y], D's seventh column the residual's. @param A  entry e at A[e * stride]
+template <class Isa>
+HALFWAY_INLINE void subtract(const double* A, int stride, const Factors<Isa>& f, Row<Isa> (&D)[6]) {
+  using R = Row<Isa>;
+  for (int r = 0; r < 6; ++r) {
+    R even = R::all(A[6 * r * stride]) * f.row[0], odd = R::all(A[(6 * r + 1) * stride]) * f.row[1];
+    for (int k = 2; k < 6; k += 2) {
+      even = even + R::all(A[(6 * r + k) * stride]) * f.row[k];
+      odd = odd + R::all(A[(6 * r + k + 1) * stride]) * f.row[k + 1];
+    }
+    D[r] = D[r] - (even + odd);
+  }
+}
+
+/// The row of the largest entry in a column, from the diagonal on, changes places with the diagonal's.
+template <int k, class Isa, class... Rows>
+HALFWAY_INLINE void bring_pivot(Row<Isa> (&S)[6], Rows&... others) {
+  int best = k;
+  for (int i = k + 1; i < 6; ++i) {
+    if (S[i].size().v[k] > S[best].size().v[k]) best = i;
+  }
+  const auto swap = [best](auto& rows) {
+    const auto kept = rows[k];
+    rows[k] = rows[best], rows[best] = kept;
+  };
+  swap(S), (swap(others), ...);
+}
+
+template <int k, bool pivoted, class Isa, class... Rows>
+HALFWAY_INLINE void eliminate_column(Row<Isa> (&S)[6], Rows&... others) {
+  using R = Row<Isa>;
+  if constexpr (pivoted) bring_pivot<k>(S, others...);
+  const R inverse = R::all(1.) / S[k].template splat<k>();
+  S[k] = S[k] * inverse;
+  ((others[k] = others[k] * inverse), ...);
+  for (int i = 0; i < 6; ++i) {
+    if (i == k) continue;
+    const R factor = S[i].template splat<k>();
+    S[i] = S[i] - factor * S[k];
+    ((others[i] = others[i] - factor * others[k]), ...);
+  }
+}
+
+/// S^-1 times the rows beside it (Gauss and Jordan).
+template <bool pivoted, class Isa, class... Rows>
+HALFWAY_INLINE void solve(Row<Isa> (&S)[6], Rows&... others) {
+  eliminate_column<0, pivoted>(S, others...), eliminate_column<1, pivoted>(S, others...);
+  eliminate_column<2, pivoted>(S, others...), eliminate_column<3, pivoted>(S, others...);
+  eliminate_column<4, pivoted>(S, others...), eliminate_column<5, pivoted>(S, others...);
+}
+
+}  // namespace halfway::reference::chain::detail

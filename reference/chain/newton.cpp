@@ -1,0 +1,214 @@
+#include "reference/chain/newton.hpp"
+
+#include "reference/chain/sweeps.hpp"
+#include "reference/record/worst.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfway::reference::chain::detail {
+namespace {
+
+using batch::Batch, batch::Output;
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+/// The section's stiffnesses over h in the order of the strains.
+Vec6 stiffness(const Chain& c) {
+  const Section& s = c.section;
+  Vec6 k;
+  k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
+  return k * (double(c.links) / c.length);
+}
+
+/// Code and law of the joints.
+class Joints {
+ public:
+  Joints(const Chain& chain, const Settings& settings)
+      : own_({chain.formulation, Kind::linear_angular, batch::LawForm::linear, chain.xi}, settings.isa),
+        attached_({"attached_a", Kind::linear_angular}, settings.isa) {
+    const bool foreign = settings.tangent == Tangent::attached;
+    how_.loads = own_.loop(Output::residual, false).evaluate;
+    how_.tangent = (foreign ? attached_ : own_).loop(Output::tangent, false).evaluate;
+    how_.foreign = foreign;
+    how_.symmetrised = settings.tangent == Tangent::symmetrised;
+    how_.tip_first = chain.node_order == NodeOrder::tip_first;
+    const Vec6 k = stiffness(chain);
+    constexpr int kDiagonal[] = {0, 6, 11, 15, 18, 20};
+    for (int i = 0; i < 6; ++i) std::fill_n(numbers_ + kDiagonal[i] * kChunk, kChunk, k[i]);
+    static constexpr batch::BatchEnd<double> kAtTheNode{};
+    how_.job.law = {numbers_, kChunk};
+    how_.job.a = how_.job.b = &kAtTheNode;
+    how_.job.xi = chain.xi.value_or(0.5);
+  }
+  Joints(const Joints&) = delete;
+  Joints& operator=(const Joints&) = delete;
+  const Evaluation& how() const { return how_; }
+
+ private:
+  Batch own_, attached_;
+  Evaluation how_;
+  alignas(64) double numbers_[21 * kChunk] = {};
+};
+
+/// Entries of the factors beyond which elimination without pivots is not trusted: its rounding, so many times
+/// eps, would be all that an iteration gains.
+constexpr double kMostGrowth = 1e8;
+/// What is left of the increments where an iteration stops, rad or over L: less than positions are known to.
+constexpr double kLeft = 1e-15;
+/// Imbalance that is still called rounding, over its estimate.
+constexpr double kMostImbalance = 64;
+
+double largest(const double (&x)[6], int first) {
+  return larger(x[first], larger(x[first + 1], x[first + 2]));
+}
+
+class Newton {
+ public:
+  Newton(const Chain& chain, const Settings& settings, State& state, Tip& tip, AtTip& at_tip)
+      : chain_(chain),
+        settings_(settings),
+        state_(state),
+        tip_(tip),
+        at_tip_(at_tip),
+        joints_(chain, settings),
+        sweeps_(sweeps(batch::choose(settings.isa))) {}
+
+  Solution run() {
+    bool good = true;
+    for (int k = 1; good && k <= settings_.load_steps; ++k) {
+      good = load_step(double(k) / settings_.load_steps);
+      out_.load_steps += good;
+    }
+    if (good) judge(1);
+    out_.nodes = state_.nodes();
+    return std::move(out_);
+  }
+
+ private:
+  enum class End { left, stalled, away, not_finite, too_many, stopped };
+
+  bool load_step(double factor) {
+    cap_ = settings_.uncapped_first ? std::numeric_limits<double>::infinity() : settings_.spin_cap;
+    if (settings_.uncapped_first) state_.save();
+    End end = iterate(factor);
+    if ((end == End::away || end == End::not_finite) && cap_ > settings_.spin_cap) {
+      state_.restore();
+      ++out_.restarts;
+      cap_ = settings_.spin_cap;
+      end = iterate(factor);
+    }
+    if (end == End::left || end == End::stalled) return true;
+    out_.outcome = words(end, factor);
+    return false;
+  }
+
+  /// Until the increments are nothing, or shrink no more: three in a row that are no smaller than the least.
+  End iterate(double factor) {
+    double previous = std::numeric_limits<double>::quiet_NaN(), least = previous;
+    int since_least = 0;
+    scale_ = 0;
+    for (int i = 0; i < settings_.most_iterations; ++i) {
+      const double size = increment(factor, i == 0);
+      if (!std::isfinite(size)) return End::not_finite;
+      const double rate = size / previous;
+      const bool whole = scale_ == 1;
+      if (cap_ > settings_.spin_cap && i > 0 && !(rate < 0.5) && size > settings_.spin_cap) return End::away;
+      if (settings_.progress && !settings_.progress(i + 1, settings_.most_iterations)) return End::stopped;
+      if (whole && rate < 1 && size * rate / (1 - rate) < kLeft)
+        return settle(size * rate / (1 - rate), End::left);
+      since_least = size < least || i == 0 ? 0 : since_least + 1;
+      if (since_least == 0) least = size;
+      if (since_least == 3 && size < 1e-3) return settle(size, End::stalled);
+      previous = size;
+    }
+    return End::too_many;
+  }
+
+  End settle(double left, End how) {
+    out_.tip_error = left;
+    sweeps_.balance(state_.links(), joints_.how(), scale_, at_tip_);
+    return how;
+  }
+
+  /// Moves the state by the last one and finds the next; its size.
+  double increment(double factor, bool first) {
+    const bool frozen =
+        settings_.tangent == Tangent::frozen_first || settings_.tangent == Tangent::frozen_step;
+    const bool fresh = !frozen || (first && (settings_.tangent == Tangent::frozen_step || !has_tangent_));
+    if (fresh)
+      eliminate();
+    else
+      sweeps_.reduce(state_.links(), joints_.how(), scale_, at_tip_);
+    has_tangent_ = true;
+    const Vec6 last = tip_.increment(state_, factor, at_tip_, fresh);
+    double at_end[6], size[6];
+    std::copy_n(last.data(), 6, at_end);
+    sweeps_.substitute(state_.links(), at_end, size);
+    const double spin = largest(size, 3), whole = larger(spin, largest(size, 0) / chain_.length);
+    scale_ = spin > cap_ ? cap_ / spin : 1;
+    out_.iterations.push_back({whole, scale_});
+    return whole;
+  }
+
+  void eliminate() {
+    if (!out_.pivoted) {
+      sweeps_.eliminate(state_.links(), joints_.how(), scale_, at_tip_);
+      out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
+      if (out_.growth < kMostGrowth) return;
+      out_.pivoted = true;
+      scale_ = 0;
+    }
+    sweeps_.eliminate_pivoted(state_.links(), joints_.how(), scale_, at_tip_);
+    out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
+  }
+
+  /// Increments may be small where nothing is in balance: what is left of the loads decides.
+  void judge(double factor) {
+    const Vec6 load = tip_.load(state_, factor, at_tip_), k = stiffness(chain_);
+    for (int c = 0; c < 6; ++c) keep_largest(at_tip_.imbalance[c], std::abs(at_tip_.residual[c] + load[c]));
+    const double f = largest(at_tip_.largest, 0), m = largest(at_tip_.largest, 3);
+    const double h = chain_.length / double(chain_.links);
+    // Angles are known to eps, forces to eps of their size, and neighbours' moments differ by h f.
+    const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + h * f),
+                 of_force = kEps * (f + of_moment / (kEps * chain_.length) * 0);
+    out_.imbalance =
+        larger(largest(at_tip_.imbalance, 0) / of_force, largest(at_tip_.imbalance, 3) / of_moment);
+    out_.converged = out_.imbalance < kMostImbalance;
+    out_.outcome = out_.converged ? "converged" : fmt::format("not converged");
+  }
+
+  std::string words(End end, double factor) const {
+    const std::string at =
+        fmt::format(" at {:.4g} of the load, iteration {}", factor, out_.iterations.size());
+    switch (end) {
+      case End::not_finite:
+        return "no increment (singular tangent or loads that are no numbers)" + at;
+      case End::stopped:
+        return "stopped by the caller" + at;
+      default:
+        return fmt::format("increments of {:.1e} do not vanish", out_.iterations.back().increment) + at;
+    }
+  }
+
+  const Chain& chain_;
+  const Settings& settings_;
+  State& state_;
+  Tip& tip_;
+  AtTip& at_tip_;
+  const Joints joints_;
+  const Sweeps& sweeps_;
+  Solution out_;
+  double cap_ = 0, scale_ = 0;
+  bool has_tangent_ = false;
+};
+
+}  // namespace
+
+Solution newton(const Chain& chain, const Settings& settings, State& state, Tip& tip, AtTip& at_tip) {
+  return Newton(chain, settings, state, tip, at_tip).run();
+}
+
+}  // namespace halfway::reference::chain::detail
