@@ -1,6 +1,7 @@
 #include "verify/studies/chains/chain_orders.hpp"
 
 #include "halfway/batch/batch.hpp"
+#include "reference/truth/data.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 
@@ -32,9 +33,17 @@ ChainPoint point_of(const reference::Entry& entry, const ChainRod& rod, chain::N
 
 }  // namespace
 
-double frame_of(const reference::Entry& entry) {
-  if (entry.needs_xi) return entry.probe_xi;
-  return entry.facts.has_fingerprint ? entry.facts.alpha : std::nan("");
+std::optional<double> kept_limit(const reference::Entry& entry, const std::string& rod) {
+  static const nlohmann::json table = reference::read_data("chains/orders.json")["limits"];
+  for (const auto& row : table) {
+    if (row["formulation"] == entry.name && row["rod"] == rod) return row["limit"].get<double>();
+  }
+  return std::nullopt;
+}
+
+double expected_order(const reference::Entry& entry) {
+  const double frame = entry.needs_xi ? entry.probe_xi : entry.facts.alpha;
+  return entry.facts.has_fingerprint && frame == 0.5 && entry.facts.beta == 0 ? 2 : 1;
 }
 
 std::vector<const reference::Entry*> chain_formulations() {

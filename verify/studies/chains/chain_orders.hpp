@@ -4,6 +4,8 @@
 #include "verify/studies/chains/chain_rods.hpp"
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace halfway::verify {
@@ -34,8 +36,13 @@ const ChainOrder& chain_order(const reference::Entry& entry, const std::string& 
 /// Order and bar from the last three points.
 void fit_order(const ChainRod& rod, ChainOrder& out);
 
-/// The frame that a formulation's law is in, 0 ... 1; NaN of one that has none.
-double frame_of(const reference::Entry& entry);
+/// What the facts of a formulation leave to expect: 2 where its moment is that of a rod to second order,
+/// else 1.
+double expected_order(const reference::Entry& entry);
+
+/// How far the chains of a formulation stay from the rod however many links they have, over L, as kept;
+/// nothing of those that tend to it.
+std::optional<double> kept_limit(const reference::Entry& entry, const std::string& rod);
 
 /// Formulations whose chains are solved, those with a batch.
 std::vector<const reference::Entry*> chain_formulations();
