@@ -57,7 +57,9 @@ class Joints {
 /// eps, would be all that an iteration gains.
 constexpr double kMostGrowth = 1e8;
 /// What is left of the increments where an iteration stops, rad or over L: less than positions are known to.
-constexpr double kLeft = 1e-15;
+constexpr double kLeft = 1e-14;
+/// Increments among which rounding may be found, rad or over L.
+constexpr double kSmall = 1e-9;
 /// Imbalance that is still called rounding, over its estimate.
 constexpr double kMostImbalance = 64;
 
@@ -82,13 +84,14 @@ class Newton {
       good = load_step(double(k) / settings_.load_steps);
       out_.load_steps += good;
     }
-    if (good) judge(1);
+    out_.converged = good;
+    if (good) out_.outcome = "converged";
     out_.nodes = state_.nodes();
     return std::move(out_);
   }
 
  private:
-  enum class End { left, stalled, away, not_finite, too_many, stopped };
+  enum class End { balanced, away, not_finite, too_many, stopped };
 
   bool load_step(double factor) {
     cap_ = settings_.uncapped_first ? std::numeric_limits<double>::infinity() : settings_.spin_cap;
@@ -100,37 +103,29 @@ class Newton {
       cap_ = settings_.spin_cap;
       end = iterate(factor);
     }
-    if (end == End::left || end == End::stalled) return true;
+    if (end == End::balanced) return true;
     out_.outcome = words(end, factor);
     return false;
   }
 
-  /// Until the increments are nothing, or shrink no more: three in a row that are no smaller than the least.
+  /// Until the increments are nothing, or shrink no more, and what is left of the loads is rounding.
   End iterate(double factor) {
-    double previous = std::numeric_limits<double>::quiet_NaN(), least = previous;
-    int since_least = 0;
+    double previous = std::numeric_limits<double>::quiet_NaN();
     scale_ = 0;
     for (int i = 0; i < settings_.most_iterations; ++i) {
       const double size = increment(factor, i == 0);
       if (!std::isfinite(size)) return End::not_finite;
       const double rate = size / previous;
-      const bool whole = scale_ == 1;
       if (cap_ > settings_.spin_cap && i > 0 && !(rate < 0.5) && size > settings_.spin_cap) return End::away;
       if (settings_.progress && !settings_.progress(i + 1, settings_.most_iterations)) return End::stopped;
-      if (whole && rate < 1 && size * rate / (1 - rate) < kLeft)
-        return settle(size * rate / (1 - rate), End::left);
-      since_least = size < least || i == 0 ? 0 : since_least + 1;
-      if (since_least == 0) least = size;
-      if (since_least == 3 && size < 1e-3) return settle(size, End::stalled);
+      const double left = rate < 0.5 ? size * rate / (1 - rate) : size;
+      if (scale_ == 1 && (left < kLeft || (size < kSmall && !(rate < 0.25))) && balanced(factor)) {
+        out_.tip_error = left;
+        return End::balanced;
+      }
       previous = size;
     }
     return End::too_many;
-  }
-
-  End settle(double left, End how) {
-    out_.tip_error = left;
-    sweeps_.balance(state_.links(), joints_.how(), scale_, at_tip_);
-    return how;
   }
 
   /// Moves the state by the last one and finds the next; its size.
@@ -165,19 +160,21 @@ class Newton {
     out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
   }
 
-  /// Increments may be small where nothing is in balance: what is left of the loads decides.
-  void judge(double factor) {
+  /// Moves the state, and says whether what is left of the loads is rounding: increments may be small where nothing
+  /// is in balance.
+  bool balanced(double factor) {
+    sweeps_.balance(state_.links(), joints_.how(), scale_, at_tip_);
+    scale_ = 0;
     const Vec6 load = tip_.load(state_, factor, at_tip_), k = stiffness(chain_);
     for (int c = 0; c < 6; ++c) keep_largest(at_tip_.imbalance[c], std::abs(at_tip_.residual[c] + load[c]));
     const double f = largest(at_tip_.largest, 0), m = largest(at_tip_.largest, 3);
-    const double h = chain_.length / double(chain_.links);
-    // Angles are known to eps, forces to eps of their size, and neighbours' moments differ by h f.
-    const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + h * f),
-                 of_force = kEps * (f + of_moment / (kEps * chain_.length) * 0);
-    out_.imbalance =
-        larger(largest(at_tip_.imbalance, 0) / of_force, largest(at_tip_.imbalance, 3) / of_moment);
-    out_.converged = out_.imbalance < kMostImbalance;
-    out_.outcome = out_.converged ? "converged" : fmt::format("not converged");
+    const double f0 = largest(at_tip_.imbalance, 0), m0 = largest(at_tip_.imbalance, 3);
+    if (std::getenv("VV")) std::fprintf(stderr, "f %.3g m %.3g df %.3g dm %.3g | df/eps f %.3g, df/(eps(f+m/L)) %.3g, df/(eps EA/h L)  %.3g; dm/eps k/h %.3g\n", f, m, f0, m0, f0/kEps/f, f0/kEps/(f+m/chain_.length), f0/kEps/(k[0]*chain_.length), m0/kEps/k.tail<3>().maxCoeff());
+    // Forces are known to eps of their size and of what the moments make of it, angles to eps.
+    const double of_force = kEps * (f + m / chain_.length);
+    const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + chain_.length * f);
+    out_.imbalance = larger(f0 / of_force, m0 / of_moment);
+    return out_.imbalance < kMostImbalance;
   }
 
   std::string words(End end, double factor) const {

@@ -39,10 +39,10 @@ HALFWAY_INLINE void bring_pivot(Row<Isa> (&S)[6], Rows&... others) {
   swap(S), (swap(others), ...);
 }
 
-template <int k, bool pivoted, class Isa, class... Rows>
+template <int k, class Isa, class... Rows>
 HALFWAY_INLINE void eliminate_column(Row<Isa> (&S)[6], Rows&... others) {
   using R = Row<Isa>;
-  if constexpr (pivoted) bring_pivot<k>(S, others...);
+  bring_pivot<k>(S, others...);
   const R inverse = R::all(1.) / S[k].template splat<k>();
   S[k] = S[k] * inverse;
   ((others[k] = others[k] * inverse), ...);
@@ -54,12 +54,37 @@ HALFWAY_INLINE void eliminate_column(Row<Isa> (&S)[6], Rows&... others) {
   }
 }
 
+/// Two columns at a time, by the inverse of their 2 x 2 block: half as many divisions wait for one another.
+template <int k, class Isa, class... Rows>
+HALFWAY_INLINE void eliminate_pair(Row<Isa> (&S)[6], Rows&... others) {
+  using R = Row<Isa>;
+  const R a = S[k].template splat<k>(), b = S[k].template splat<k + 1>();
+  const R c = S[k + 1].template splat<k>(), d = S[k + 1].template splat<k + 1>();
+  const R inverse = R::all(1.) / (a * d - b * c);
+  const auto divide = [&](auto& rows) HALFWAY_INLINE_LAMBDA {
+    const R first = d * rows[k] - b * rows[k + 1], second = a * rows[k + 1] - c * rows[k];
+    rows[k] = first * inverse, rows[k + 1] = second * inverse;
+  };
+  divide(S), (divide(others), ...);
+  for (int i = 0; i < 6; ++i) {
+    if (i == k || i == k + 1) continue;
+    const R first = S[i].template splat<k>(), second = S[i].template splat<k + 1>();
+    const auto subtract_from = [&](auto& rows) HALFWAY_INLINE_LAMBDA {
+      rows[i] = rows[i] - first * rows[k] - second * rows[k + 1];
+    };
+    subtract_from(S), (subtract_from(others), ...);
+  }
+}
+
 /// S^-1 times the rows beside it (Gauss and Jordan).
 template <bool pivoted, class Isa, class... Rows>
 HALFWAY_INLINE void solve(Row<Isa> (&S)[6], Rows&... others) {
-  eliminate_column<0, pivoted>(S, others...), eliminate_column<1, pivoted>(S, others...);
-  eliminate_column<2, pivoted>(S, others...), eliminate_column<3, pivoted>(S, others...);
-  eliminate_column<4, pivoted>(S, others...), eliminate_column<5, pivoted>(S, others...);
+  if constexpr (!pivoted) {
+    eliminate_pair<0>(S, others...), eliminate_pair<2>(S, others...), eliminate_pair<4>(S, others...);
+  } else {
+    eliminate_column<0>(S, others...), eliminate_column<1>(S, others...), eliminate_column<2>(S, others...);
+    eliminate_column<3>(S, others...), eliminate_column<4>(S, others...), eliminate_column<5>(S, others...);
+  }
 }
 
 }  // namespace halfway::reference::chain::detail

@@ -156,10 +156,12 @@ class Along {
   void eliminate_chunk(long first, int count) {
     alignas(64) R D[6][8], C[6][8];
     blocks(D, C);
+    Factors<Isa> last = last_;
+    R growth[2]{growth_, R{}};
     for (int i = first == 1; i < count; ++i) {
       R S[6], X[6];
       for (int r = 0; r < 6; ++r) S[r] = D[r][i], X[r] = C[r][i];
-      subtract<Isa>(&t_.BA[0][kBefore + i], kLagged, last_, S);
+      subtract<Isa>(&t_.BA[0][kBefore + i], kLagged, last, S);
       if (links_.kept == nullptr) {
         solve<what == Sweep::eliminate_pivoted>(S, X);
       } else {
@@ -170,11 +172,13 @@ class Along {
       }
       double* const to = links_.factors + kFactors * (first + i - 1);
       for (int r = 0; r < 6; ++r) {
-        growth_ = growth_ + X[r] * X[r];
-        last_.row[r] = X[r].with_seventh(S[r]);
-        last_.row[r].store(to + 7 * r);
+        growth[r % 2] = growth[r % 2] + X[r] * X[r];
+        last.row[r] = X[r].with_seventh(S[r]);
+        last.row[r].store(to + 7 * r);
       }
     }
+    last_ = last;
+    growth_ = growth[0] + growth[1];
   }
 
   /// Rows of the links before the joints: [D | residual] and [C | 0].
