@@ -13,12 +13,6 @@ namespace {
 
 namespace chain = reference::chain;
 
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 ChainPoint point_of(const reference::Entry& entry, const ChainRod& rod, chain::NodeOrder order, long links) {
   chain::Chain asked = chain_with(*rod.scene, entry, links);
   asked.node_order = order;
@@ -32,6 +26,12 @@ ChainPoint point_of(const reference::Entry& entry, const ChainRod& rod, chain::N
 }
 
 }  // namespace
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
 
 std::optional<double> kept_limit(const reference::Entry& entry, const std::string& rod) {
   static const nlohmann::json table = reference::read_data("chains/orders.json")["limits"];

@@ -44,6 +44,9 @@ double expected_order(const reference::Entry& entry);
 /// nothing of those that tend to it.
 std::optional<double> kept_limit(const reference::Entry& entry, const std::string& rod);
 
+/// Processor time of this thread, s.
+double thread_seconds();
+
 /// Formulations whose chains are solved, those with a batch.
 std::vector<const reference::Entry*> chain_formulations();
 
