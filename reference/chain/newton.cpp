@@ -31,7 +31,7 @@ class Joints {
         attached_({"attached_a", Kind::linear_angular}, settings.isa) {
     const bool foreign = settings.tangent == Tangent::attached;
     how_.loads = own_.loop(Output::residual, false).evaluate;
-    how_.tangent = (foreign ? attached_ : own_).loop(Output::tangent, false).evaluate;
+    set_tangent(foreign ? attached_ : own_, chain.node_order);
     how_.foreign = foreign;
     how_.symmetrised = settings.tangent == Tangent::symmetrised;
     how_.tip_first = chain.node_order == NodeOrder::tip_first;
@@ -48,6 +48,18 @@ class Joints {
   const Evaluation& how() const { return how_; }
 
  private:
+  /// The fewest numbers of which there is a loop.
+  void set_tangent(const Batch& batch, NodeOrder order) {
+    how_.tangent = batch.loop(Output::tangent, false).evaluate;
+    const int rows = Batch::compressed_rows(batch.model());
+    if (rows == 0 || order == NodeOrder::tip_first) return;
+    const auto lean = batch.loop(Output::compressed, false).evaluate;
+    if (lean == batch.loop(Output::tangent, true).evaluate)
+      return;  // no lean loops: it would be compressed later
+    how_.tangent = lean;
+    how_.kept = rows == 21 ? Kept::conservative : Kept::general;
+  }
+
   Batch own_, attached_;
   Evaluation how_;
   alignas(64) double numbers_[21 * kChunk] = {};
@@ -150,7 +162,8 @@ class Newton {
 
   void eliminate() {
     if (!out_.pivoted) {
-      sweeps_.eliminate(state_.links(), joints_.how(), scale_, at_tip_);
+      const bool any = joints_.how().symmetrised || state_.links().kept != nullptr;
+      (any ? sweeps_.eliminate_any : sweeps_.eliminate)(state_.links(), joints_.how(), scale_, at_tip_);
       out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
       if (out_.growth < kMostGrowth) return;
       out_.pivoted = true;
@@ -160,8 +173,8 @@ class Newton {
     out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
   }
 
-  /// Moves the state, and says whether what is left of the loads is rounding: increments may be small where nothing
-  /// is in balance.
+  /// Moves the state, and says whether what is left of the loads is rounding: increments may be small where
+  /// nothing is in balance.
   bool balanced(double factor) {
     sweeps_.balance(state_.links(), joints_.how(), scale_, at_tip_);
     scale_ = 0;
@@ -169,7 +182,12 @@ class Newton {
     for (int c = 0; c < 6; ++c) keep_largest(at_tip_.imbalance[c], std::abs(at_tip_.residual[c] + load[c]));
     const double f = largest(at_tip_.largest, 0), m = largest(at_tip_.largest, 3);
     const double f0 = largest(at_tip_.imbalance, 0), m0 = largest(at_tip_.imbalance, 3);
-    if (std::getenv("VV")) std::fprintf(stderr, "f %.3g m %.3g df %.3g dm %.3g | df/eps f %.3g, df/(eps(f+m/L)) %.3g, df/(eps EA/h L)  %.3g; dm/eps k/h %.3g\n", f, m, f0, m0, f0/kEps/f, f0/kEps/(f+m/chain_.length), f0/kEps/(k[0]*chain_.length), m0/kEps/k.tail<3>().maxCoeff());
+    if (std::getenv("VV"))
+      std::fprintf(stderr,
+                   "f %.3g m %.3g df %.3g dm %.3g | df/eps f %.3g, df/(eps(f+m/L)) %.3g, df/(eps EA/h L)  "
+                   "%.3g; dm/eps k/h %.3g\n",
+                   f, m, f0, m0, f0 / kEps / f, f0 / kEps / (f + m / chain_.length),
+                   f0 / kEps / (k[0] * chain_.length), m0 / kEps / k.tail<3>().maxCoeff());
     // Forces are known to eps of their size and of what the moments make of it, angles to eps.
     const double of_force = kEps * (f + m / chain_.length);
     const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + chain_.length * f);

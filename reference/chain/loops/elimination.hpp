@@ -11,17 +11,20 @@ struct Factors {
   Row<Isa> row[6];
 };
 
-/// D - A [X | y], D's seventh column the residual's. @param A  entry e at A[e * stride]
+/// D - A [X | y], D's seventh column the residual's.
+/// @param A  entry e at A[e * stride]; opposite: nullptr, or of the first three columns the opposite
 template <class Isa>
-HALFWAY_INLINE void subtract(const double* A, int stride, const Factors<Isa>& f, Row<Isa> (&D)[6]) {
+HALFWAY_INLINE void subtract(const double* A, const double* opposite, int stride, const Factors<Isa>& f,
+                             Row<Isa> (&D)[6]) {
   using R = Row<Isa>;
   for (int r = 0; r < 6; ++r) {
-    R even = R::all(A[6 * r * stride]) * f.row[0], odd = R::all(A[(6 * r + 1) * stride]) * f.row[1];
-    for (int k = 2; k < 6; k += 2) {
-      even = even + R::all(A[(6 * r + k) * stride]) * f.row[k];
-      odd = odd + R::all(A[(6 * r + k + 1) * stride]) * f.row[k + 1];
-    }
-    D[r] = D[r] - (even + odd);
+    const auto times = [&](const double* from, int k)
+                           HALFWAY_INLINE_LAMBDA { return R::all(from[(6 * r + k) * stride]) * f.row[k]; };
+    const R last = times(A, 3) + times(A, 4) + times(A, 5);
+    if (opposite == nullptr)
+      D[r] = D[r] - (times(A, 0) + times(A, 1) + times(A, 2)) - last;
+    else
+      D[r] = D[r] + (times(opposite, 0) + times(opposite, 1) + times(opposite, 2)) - last;
   }
 }
 

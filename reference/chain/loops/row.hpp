@@ -39,11 +39,10 @@ struct Row {
 
 /// Eight rows of eight to their columns.
 template <class Isa>
-HALFWAY_INLINE void transpose(const double* from, int stride, Row<Isa> (&to)[8]) {
+HALFWAY_INLINE void transpose(Row<Isa> (&a)[8], Row<Isa> (&to)[8]) {
   using R = Row<Isa>;
   if constexpr (Isa::kBytes == 64) {
-    R a[8], b[8];
-    for (int i = 0; i < 8; ++i) a[i] = R::load(from + i * stride);
+    R b[8];
     for (int i = 0; i < 8; i += 2) {
       b[i].v = __builtin_shufflevector(a[i].v, a[i + 1].v, 0, 8, 2, 10, 4, 12, 6, 14);
       b[i + 1].v = __builtin_shufflevector(a[i].v, a[i + 1].v, 1, 9, 3, 11, 5, 13, 7, 15);
@@ -61,7 +60,7 @@ HALFWAY_INLINE void transpose(const double* from, int stride, Row<Isa> (&to)[8])
   } else {
     alignas(64) double by_column[64];
     for (int i = 0; i < 8; ++i) {
-      for (int k = 0; k < 8; ++k) by_column[8 * k + i] = from[i * stride + k];
+      for (int k = 0; k < 8; ++k) by_column[8 * k + i] = a[i].v[k];
     }
     for (int k = 0; k < 8; ++k) to[k] = R::load(by_column + 8 * k);
   }

@@ -1,6 +1,7 @@
 // Eight joints from poses to blocks of the tangent: moved, evaluated, their loads carried to the links.
 #pragma once
 
+#include "halfway/kernels/loads.hpp"
 #include "halfway/kernels/motion.hpp"
 #include "reference/chain/loops/row.hpp"
 #include "reference/chain/loops/sweep.hpp"
@@ -117,19 +118,22 @@ struct Stage {
     put(f, &t.QB[0][b], kLagged), put(how.tip_first ? m_a : m_b, &t.QB[3][b], kLagged);
   }
 
-  HALFWAY_INLINE void carry_tangent(int i) const {
-    const V3<P> r = arm_of(i);
-    const By f = derivatives(i, 0), m_n = derivatives(i, how.tip_first ? 1 : 2);
-    By m_p = derivatives(i, how.tip_first ? 2 : 1);
-    const V3<P> F = vector_of<P>(&t.QB[0][kFirst + i], kLagged);
-    m_p.x = m_p.x - skew_times(r, f.x);
-    m_p.next = m_p.next - skew_times(r, f.next);
-    m_p.before = m_p.before - skew_times(r, f.before) + plus_diagonal(-outer(r, F), dot(r, F));
+  /// @tparam whole  BA's first three columns too: they are the opposite of BB's where nothing is symmetrised
+  template <Kept kept, bool whole>
+  HALFWAY_INLINE void put_tangent(int i) const {
+    By f, m_p, m_n;
+    if constexpr (kept == Kept::all)
+      carried(i, f, m_p, m_n);
+    else
+      completed<kept>(i, f, m_p, m_n);
     const int b = kFirst + i;
-    put4(&t.BA[0][b], kLagged, -f.x, f.before, -m_n.x, m_n.before);
     put4(&t.BB[0][b], kLagged, f.x, f.next, m_n.x, m_n.next);
     put4(&t.AA[0][i], kChunk, f.x, -f.before, -m_p.x, m_p.before);
     put4(&t.AB[0][i], kChunk, -f.x, -f.next, m_p.x, m_p.next);
+    if constexpr (whole)
+      put4(&t.BA[0][b], kLagged, -f.x, f.before, -m_n.x, m_n.before);
+    else
+      put(f.before, &t.BA[3][b], kLagged), put(m_n.before, &t.BA[21][b], kLagged);
   }
 
  private:
@@ -138,6 +142,37 @@ struct Stage {
   struct By {
     M3<P> x, before, next;
   };
+  HALFWAY_INLINE void carried(int i, By& f, By& m_p, By& m_n) const {
+    const V3<P> r = arm_of(i), F = vector_of<P>(&t.QB[0][kFirst + i], kLagged);
+    f = derivatives(i, 0), m_n = derivatives(i, how.tip_first ? 1 : 2);
+    m_p = derivatives(i, how.tip_first ? 2 : 1);
+    m_p.x = m_p.x - skew_times(r, f.x);
+    m_p.next = m_p.next - skew_times(r, f.next);
+    m_p.before = m_p.before - skew_times(r, f.before) + plus_diagonal(-outer(r, F), dot(r, F));
+  }
+  /// From the derivatives by the next link: a turn of all about a link's rear end turns the loads, and they
+  /// balance.
+  template <Kept kept>
+  HALFWAY_INLINE void completed(int i, By& f, By& m_p, By& m_n) const {
+    const double* const row = t.tangent[0] + i;
+    const V3<P> m = vector_of<P>(&t.QB[3][kFirst + i], kLagged);
+    kernel::PointLoads<P> l;
+    l.f.value = vector_of<P>(&t.QB[0][kFirst + i], kLagged), l.b.value = m;
+    l.f.x = full(upper_of(row)), l.f.wb = matrix_of<P>(row + 6 * kChunk, kChunk);
+    if constexpr (kept == Kept::conservative) {
+      const kernel::S3<P> k = upper_of(row + 15 * kChunk);  // its skew part is -[m] / 2
+      l.b.x = transposed(l.f.wb);
+      l.b.wb = {{k.xx, k.xy, k.xz}, {k.xy - m.z, k.yy, k.yz}, {k.xz + m.y, k.yz - m.x, k.zz}};
+    } else {
+      l.b.x = matrix_of<P>(row + 15 * kChunk, kChunk), l.b.wb = matrix_of<P>(row + 24 * kChunk, kChunk);
+    }
+    kernel::complete<true, kept == Kept::conservative, true>(step(i), l);
+    f = {l.f.x, l.f.wa, l.f.wb}, m_p = {l.a.x, l.a.wa, l.a.wb}, m_n = {l.b.x, l.b.wa, l.b.wb};
+  }
+  HALFWAY_INLINE kernel::S3<P> upper_of(const double* row) const {
+    const V3<P> x = vector_of<P>(row, kChunk), y = vector_of<P>(row + 3 * kChunk, kChunk);
+    return {x.x, x.y, x.z, y.x, y.y, y.z};
+  }
   HALFWAY_INLINE V3<P> arm_of(int i) const {
     return matrix(quat_of<P>(&t.q[0][kFirst + i - 1], kLagged)) * arm;
   }

@@ -29,11 +29,16 @@ struct Links {
   double* kept = nullptr;       ///< kKept numbers a link; nullptr: not kept
 };
 
+/// Which numbers of a tangent a loop writes (Batch::compressed_rows): all 81, or those from which balance and
+/// objectivity tell the rest, 33, or 21 where there is a potential.
+enum class Kept { all, general, conservative };
+
 /// How joints are evaluated.
 struct Evaluation {
   batch::detail::Job<double> job{};                   ///< law and parameters; tables are the unit's
   batch::detail::Evaluate<double> loads = nullptr;    ///< loads alone
   batch::detail::Evaluate<double> tangent = nullptr;  ///< loads and tangent
+  Kept kept = Kept::all;                              ///< of the tangent; all where tip_first
   bool foreign = false;  ///< the tangent is another formulation's: loads are evaluated after it
   bool symmetrised = false;
   bool tip_first = false;
@@ -50,7 +55,10 @@ struct AtTip {
 
 /// Each moves the links by `scale` of the increments first.
 struct Sweeps {
+  /// The quickest: not symmetrised, nothing kept.
   void (*eliminate)(const Links&, const Evaluation&, double scale, AtTip&);
+  void (*eliminate_any)(const Links&, const Evaluation&, double scale, AtTip&);
+  /// With pivots within blocks.
   void (*eliminate_pivoted)(const Links&, const Evaluation&, double scale, AtTip&);
   /// With the kept inverses of an earlier one; S is not set.
   void (*reduce)(const Links&, const Evaluation&, double scale, AtTip&);

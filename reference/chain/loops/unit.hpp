@@ -7,12 +7,15 @@
 namespace halfway::reference::chain::detail {
 
 /// What a sweep does with each chunk of joints after it was moved.
-enum class Sweep { balance, eliminate, eliminate_pivoted, reduce };
+enum class Sweep { balance, eliminate, eliminate_any, eliminate_pivoted, reduce };
 
 template <class Isa, Sweep what>
 class Along {
   using P = Pack<double, Isa>;
   using R = Row<Isa>;
+  static constexpr bool kPivoted = what == Sweep::eliminate_pivoted;
+  static constexpr bool kWhole = kPivoted || what == Sweep::eliminate_any;
+  static constexpr bool kTangent = kWhole || what == Sweep::eliminate;
 
  public:
   Along(const Links& links, const Evaluation& how, AtTip& tip) : links_(links), how_(how), tip_(tip) {
@@ -41,7 +44,7 @@ class Along {
       move(first, count, scale);
       evaluate();
       take_balance(first, count);
-      if constexpr (what == Sweep::eliminate || what == Sweep::eliminate_pivoted)
+      if constexpr (kTangent)
         eliminate_chunk(first, count);
       else if constexpr (what == Sweep::reduce)
         reduce_chunk(first, count);
@@ -69,8 +72,9 @@ class Along {
     for (int c = 0; c < 4; ++c)
       R::load(links_.q.first + c * links_.q.stride + first).store(&t_.q_old[c][kFirst]);
     for (int c = 0; c < 3; ++c) R::load(links_.d.first + c * links_.d.stride + first).store(&t_.d[c][0]);
-    R columns[8];
-    transpose<Isa>(links_.increment + 6 * first, 6, columns);
+    R rows[8], columns[8];
+    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + 6 * (first + i));
+    transpose(rows, columns);
     for (int c = 0; c < 6; ++c) columns[c].store(&t_.u[c][kFirst]);
     if (count == kChunk) return;
     fill_up(t_.q_old, count), fill_up(t_.u, count);
@@ -102,16 +106,29 @@ class Along {
   }
 
   void evaluate() {
-    constexpr bool kTangent = what == Sweep::eliminate || what == Sweep::eliminate_pivoted;
     const Stage<P> stage{links_, how_, t_};
     if constexpr (kTangent) {
       how_.tangent(job_);
-      for (int i = 0; i < kChunk; i += P::kLanes) stage.carry_loads(i), stage.carry_tangent(i);
-      if (how_.symmetrised) symmetrise();
+      switch (how_.kept) {
+        case Kept::all:
+          tangent<Kept::all>(stage);
+          break;
+        case Kept::general:
+          tangent<Kept::general>(stage);
+          break;
+        case Kept::conservative:
+          tangent<Kept::conservative>(stage);
+      }
+      if (kWhole && how_.symmetrised) symmetrise();
       if (!how_.foreign) return;
     }
     how_.loads(job_);
     for (int i = 0; i < kChunk; i += P::kLanes) stage.carry_loads(i);
+  }
+  template <Kept kept>
+  static void tangent(const Stage<P>& stage) {
+    for (int i = 0; i < kChunk; i += P::kLanes)
+      stage.carry_loads(i), stage.template put_tangent<kept, kWhole>(i);
   }
 
   void symmetrise() {
@@ -161,13 +178,13 @@ class Along {
     for (int i = first == 1; i < count; ++i) {
       R S[6], X[6];
       for (int r = 0; r < 6; ++r) S[r] = D[r][i], X[r] = C[r][i];
-      subtract<Isa>(&t_.BA[0][kBefore + i], kLagged, last, S);
-      if (links_.kept == nullptr) {
-        solve<what == Sweep::eliminate_pivoted>(S, X);
+      subtract<Isa>(&t_.BA[0][kBefore + i], kWhole ? nullptr : &t_.BB[0][kBefore + i], kLagged, last, S);
+      if (!kWhole || links_.kept == nullptr) {
+        solve<kPivoted>(S, X);
       } else {
         R inverse[6];
         for (int r = 0; r < 6; ++r) inverse[r] = unit(r);
-        solve<what == Sweep::eliminate_pivoted>(S, X, inverse);
+        solve<kPivoted>(S, X, inverse);
         keep(first + i - 1, inverse, &t_.BA[0][kBefore + i]);
       }
       double* const to = links_.factors + kFactors * (first + i - 1);
@@ -183,16 +200,15 @@ class Along {
 
   /// Rows of the links before the joints: [D | residual] and [C | 0].
   void blocks(R (&D)[6][8], R (&C)[6][8]) const {
-    alignas(64) double by_entry[8][kChunk];
     for (int r = 0; r < 6; ++r) {
+      R rows[8]{};
       for (int c = 0; c < 6; ++c)
-        (R::load(&t_.BB[6 * r + c][kBefore]) + R::load(&t_.AA[6 * r + c][0])).store(by_entry[c]);
-      sum_[r].store(by_entry[6]);
-      R{}.store(by_entry[7]);
-      transpose<Isa>(by_entry[0], kChunk, D[r]);
-      for (int c = 0; c < 6; ++c) R::load(&t_.AB[6 * r + c][0]).store(by_entry[c]);
-      R{}.store(by_entry[6]);
-      transpose<Isa>(by_entry[0], kChunk, C[r]);
+        rows[c] = R::load(&t_.BB[6 * r + c][kBefore]) + R::load(&t_.AA[6 * r + c][0]);
+      rows[6] = sum_[r];
+      transpose(rows, D[r]);
+      R right[8]{};
+      for (int c = 0; c < 6; ++c) right[c] = R::load(&t_.AB[6 * r + c][0]);
+      transpose(right, C[r]);
     }
   }
 
@@ -227,6 +243,11 @@ class Along {
     }
   }
 
+  /// Of BA.
+  double before(int entry, int at) const {
+    return kWhole || entry % 6 >= 3 ? t_.BA[entry][at] : -t_.BB[entry][at];
+  }
+
   void finish() {
     const int at = kFirst + int((links_.count - 1) % kChunk);
     for (int c = 0; c < 3; ++c) {
@@ -241,13 +262,13 @@ class Along {
         larger(t_.QB[r][at] < 0 ? -t_.QB[r][at] : t_.QB[r][at], tip_.largest[r]);
       } else {
         for (int k = 0; k < 6; ++k) {
-          const double a = t_.BA[6 * r + k][at];
+          const double a = before(6 * r + k, at);
           if constexpr (what == Sweep::reduce) {
             tip_.residual[r] -= links_.kept[6 * r + k] * y_[k];
           } else {
             tip_.residual[r] -= a * last_.row[k].v[6];
             double s = t_.BB[6 * r + k][at];
-            for (int l = 0; l < 6; ++l) s -= t_.BA[6 * r + l][at] * last_.row[l].v[k];
+            for (int l = 0; l < 6; ++l) s -= before(6 * r + l, at) * last_.row[l].v[k];
             tip_.S[6 * r + k] = s;
             if (links_.kept != nullptr) links_.kept[6 * r + k] = a;
           }
@@ -328,8 +349,9 @@ void substitute(const Links& links, const double (&last)[6], double (&largest)[6
 
 template <class Isa>
 constexpr Sweeps make_sweeps() {
-  return {sweep<Isa, Sweep::eliminate>, sweep<Isa, Sweep::eliminate_pivoted>, sweep<Isa, Sweep::reduce>,
-          sweep<Isa, Sweep::balance>, substitute<Isa>};
+  return {sweep<Isa, Sweep::eliminate>,         sweep<Isa, Sweep::eliminate_any>,
+          sweep<Isa, Sweep::eliminate_pivoted>, sweep<Isa, Sweep::reduce>,
+          sweep<Isa, Sweep::balance>,           substitute<Isa>};
 }
 
 }  // namespace halfway::reference::chain::detail
