@@ -105,7 +105,7 @@ std::vector<Finding> orders_and_constants(const Entry& entry) {
 
 }  // namespace
 
-void chain_orders(Checks& checks) {
+void chain_convergence(Checks& checks) {
   for (const Entry* entry : chain_formulations()) {
     checks.push_back({fmt::format("chains/{}/order", entry->name), "chains",
                       [entry] { return orders_and_constants(*entry); }});
