@@ -79,23 +79,53 @@ std::pair<chain::Chain, chain::EndLoads> generic(const Entry& entry, chain::Node
   return {c, {{-0.5, 0.4, 0.7}, {0.2, -0.6, 0.3}, {0.5, -0.5, 0.3}, {-0.3, 0.4, 0.6}}};
 }
 
+Finding judged_balance(const Entry& entry, const std::string& what, const chain::Chain& c,
+                       const chain::EndLoads& loads, const chain::Solution& found) {
+  Measurement worst;
+  if (found.converged) worst = worst_imbalance(c, imbalances(entry, c, loads, found.nodes));
+  return finding(fmt::format("chains/{}/balance/{}", entry.name, what))
+      .about("chains")
+      .of(std::string(entry.name), "linear_angular")
+      .measured(worst)
+      .in("eps of EA/h L")
+      .at_most(64, "a node is 12 roundings of a running sum from its neighbours, some 5 eps each")
+      .by(Oracle::independent);
+}
+
+/// Both ends held: what the support is said to do is what the last joint needs, at the pose that was asked
+/// for.
+std::vector<Finding> held(const Entry& entry) {
+  const chain::Chain c = generic(entry, chain::NodeOrder::root_first).first;
+  Pose<double> last = chain::pose(chain::at_rest(c).back());
+  last.x += Vec3<double>(-0.1, 0.2, 0.05);
+  last.R = so3::exp<double>({0.3, -0.5, 0.4}) * last.R;
+  chain::Settings settings;
+  settings.load_steps = 4;
+  const chain::Held found = chain::solve_held(c, last, settings);
+  Measurement away;
+  if (found.solution.converged) {
+    const Pose<double> tip = chain::pose(found.solution.nodes.back());
+    away.include(reference::larger((tip.x - last.x).norm(), (tip.R - last.R).norm()), found.solution.outcome);
+  }
+  return {
+      judged_balance(entry, "held", c, {found.force, {0, 0, 0}, found.moment}, found.solution),
+      finding(fmt::format("chains/{}/balance/held_pose", entry.name))
+          .about("chains")
+          .of(std::string(entry.name), "linear_angular")
+          .measured(away)
+          .in("m, rad")
+          .at_most(1e-13, "a running sum of 12 positions some metres from the origin, and a log and an exp")
+          .by(Oracle::closed_form)};
+}
+
 std::vector<Finding> balanced(const Entry& entry) {
   std::vector<Finding> out;
   for (const auto order : {chain::NodeOrder::root_first, chain::NodeOrder::tip_first}) {
     const auto [c, loads] = generic(entry, order);
-    const chain::Solution found = chain::solve(c, loads);
-    Measurement worst;
-    if (found.converged) worst = worst_imbalance(c, imbalances(entry, c, loads, found.nodes));
-    out.push_back(
-        finding(fmt::format("chains/{}/balance/{}", entry.name,
-                            order == chain::NodeOrder::root_first ? "root_first" : "tip_first"))
-            .about("chains")
-            .of(std::string(entry.name), "linear_angular")
-            .measured(worst)
-            .in("eps of EA/h L")
-            .at_most(64, "a node is 12 roundings of a running sum from its neighbours, some 5 eps each")
-            .by(Oracle::independent));
+    const char* what = order == chain::NodeOrder::root_first ? "root_first" : "tip_first";
+    out.push_back(judged_balance(entry, what, c, loads, chain::solve(c, loads)));
   }
+  for (const Finding& f : held(entry)) out.push_back(f);
   return out;
 }
 
