@@ -53,7 +53,7 @@ State::State(const Chain& chain, bool keep_inverses)
       half_(arc(chain, chain.length / double(chain.links) / 2)),
       q_(4 * padded(count_)),
       d_(3 * padded(count_)),
-      increment_(6 * padded(count_) + 2),
+      increment_(kIncrement * padded(count_)),
       factors_(new double[kFactors * (count_ + 1) + 8]),
       kept_(keep_inverses ? new double[kKept * (count_ + 1)] : nullptr) {
   const Arc back = arc(chain, -chain.length / double(chain.links) / 2);

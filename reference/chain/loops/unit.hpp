@@ -68,12 +68,13 @@ class Along {
   }
 
   void read(long first, int count) {
-    lag(t_.q_old), lag(t_.q), lag(t_.u), lag(t_.BA), lag(t_.BB), lag(t_.QB);
+    lag(t_.q_old), lag(t_.q), lag(t_.u), lag(t_.QB);
+    if constexpr (kTangent) lag(t_.BB), lag(t_.BA);
     for (int c = 0; c < 4; ++c)
       R::load(links_.q.first + c * links_.q.stride + first).store(&t_.q_old[c][kFirst]);
     for (int c = 0; c < 3; ++c) R::load(links_.d.first + c * links_.d.stride + first).store(&t_.d[c][0]);
     R rows[8], columns[8];
-    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + 6 * (first + i));
+    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + kIncrement * (first + i));
     transpose(rows, columns);
     for (int c = 0; c < 6; ++c) columns[c].store(&t_.u[c][kFirst]);
     if (count == kChunk) return;
@@ -179,6 +180,7 @@ class Along {
       R S[6], X[6];
       for (int r = 0; r < 6; ++r) S[r] = D[r][i], X[r] = C[r][i];
       subtract<Isa>(&t_.BA[0][kBefore + i], kWhole ? nullptr : &t_.BB[0][kBefore + i], kLagged, last, S);
+      for (int r = 0; r < 6; ++r) X[r] = X[r].with_seventh(S[r]);
       if (!kWhole || links_.kept == nullptr) {
         solve<kPivoted>(S, X);
       } else {
@@ -190,7 +192,7 @@ class Along {
       double* const to = links_.factors + kFactors * (first + i - 1);
       for (int r = 0; r < 6; ++r) {
         growth[r % 2] = growth[r % 2] + X[r] * X[r];
-        last.row[r] = X[r].with_seventh(S[r]);
+        last.row[r] = X[r];
         last.row[r].store(to + 7 * r);
       }
     }
@@ -327,7 +329,7 @@ void substitute(const Links& links, const double (&last)[6], double (&largest)[6
   using R = Row<Isa>;
   R u{}, most{};
   for (int c = 0; c < 6; ++c) {
-    u.v[c] = links.increment[6 * links.count + c] = last[c];
+    u.v[c] = links.increment[kIncrement * links.count + c] = last[c];
     most.v[c] = last[c] < 0 ? -last[c] : last[c];
   }
   const typename R::V one{0, 0, 0, 0, 0, 0, 1, 0};
@@ -340,8 +342,7 @@ void substitute(const Links& links, const double (&last)[6], double (&largest)[6
       products[r] = v * R{__builtin_shufflevector(row.v, R{}.v, 0, 1, 2, 3, 4, 5, 6, 15)};
     }
     u = sums<Isa>(products);
-    double* const to = links.increment + 6 * j;
-    for (int c = 0; c < 6; ++c) to[c] = u.v[c];
+    u.store(links.increment + kIncrement * j);
     most = most.larger(u.size());
   }
   for (int c = 0; c < 6; ++c) largest[c] = most.v[c];
