@@ -33,7 +33,7 @@ template <int k, class Isa, class... Rows>
 HALFWAY_INLINE void bring_pivot(Row<Isa> (&S)[6], Rows&... others) {
   int best = k;
   for (int i = k + 1; i < 6; ++i) {
-    if (S[i].size().v[k] > S[best].size().v[k]) best = i;
+    if (S[i].size().at(k) > S[best].size().at(k)) best = i;
   }
   const auto swap = [best](auto& rows) {
     const auto kept = rows[k];
