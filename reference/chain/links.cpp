@@ -1,6 +1,11 @@
 #include "reference/chain/links.hpp"
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace halfway::reference::chain::detail {
@@ -23,11 +28,20 @@ class Sum {
   Vec3<double> sum_, lost_ = Vec3<double>::Zero();
 };
 
+/// Of unit quaternions, of unit length: what rounding leaves of it is taken back to first order.
 Quat product(const Quat& a, const Quat& b) {
   Quat q;
-  q << a[0] * b[0] - a.tail<3>().dot(b.tail<3>()),
-      a[0] * b.tail<3>() + b[0] * a.tail<3>() + a.tail<3>().cross(b.tail<3>());
-  return q / q.norm();
+  q << a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+      a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+      a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
+      a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1];
+  return (1.5 - 0.5 * q.squaredNorm()) * q;
+}
+
+/// R(q) v, |q|^2 = 2/n.
+Vec3<double> rotated(const Quat& q, double n, const Vec3<double>& v) {
+  const Vec3<double> u = q.tail<3>(), t = n * u.cross(v);
+  return v + q[0] * t + u.cross(t);
 }
 
 Quat rotation(const Vec3<double>& theta) {
@@ -42,6 +56,23 @@ long padded(long links) { return (links + kChunk - 1) / kChunk * kChunk + 2; }
 
 }  // namespace
 
+Mat3<double> rotation_matrix(const Quat& q) {
+  return so3::matrix(so3::Quaternion<double>{q[0], q.tail<3>()});
+}
+
+Pages::Pages(long numbers) {
+  if (numbers == 0) return;
+  constexpr std::size_t kPage = std::size_t(2) << 20;
+  const std::size_t bytes = numbers * sizeof(double);
+  const bool large = bytes > 2 * kPage;
+  const std::size_t line = large ? kPage : 64;
+  first_.reset(static_cast<double*>(std::aligned_alloc(line, (bytes + line - 1) / line * line)));
+  if (!first_) throw std::bad_alloc();
+#ifdef __linux__
+  if (large) madvise(first_.get(), bytes, MADV_HUGEPAGE);  // advice: without it nothing but time is lost
+#endif
+}
+
 Arc arc(const Chain& chain, double s) {
   const Vec3<double> theta = s * chain.curvature;
   return {s * so3::gamma(theta).col(0), rotation(theta)};
@@ -53,9 +84,9 @@ State::State(const Chain& chain, bool keep_inverses)
       half_(arc(chain, chain.length / double(chain.links) / 2)),
       q_(4 * padded(count_)),
       d_(3 * padded(count_)),
-      increment_(6 * padded(count_) + 2),
-      factors_(new double[kFactors * (count_ + 1) + 8]),
-      kept_(keep_inverses ? new double[kKept * (count_ + 1)] : nullptr) {
+      increment_(kIncrement * padded(count_)),
+      factors_(kFactors * (count_ + 1) + 8),
+      kept_(keep_inverses ? kKept * (count_ + 1) : 0) {
   const Arc back = arc(chain, -chain.length / double(chain.links) / 2);
   const auto turn = so3::quaternion(chain.root.R);
   Quat root;
@@ -100,18 +131,19 @@ void State::restore() {
 std::vector<Node> State::nodes() const {
   std::vector<Node> out(count_ + 1);
   Sum x(origin_);
+  Quat front;
   for (long j = 0; j <= count_; ++j) {
     const Quat q = link(j);
     if (j > 0) {
-      const Quat front = product(link(j - 1), whole_.q);
       const Quat between = front + (front.dot(q) < 0 ? Quat(-q) : q);
       const double* const d = d_.data() + j;
-      x.add(rotation_matrix(link(j - 1)) * whole_.x);
-      x.add(rotation_matrix(between / between.norm()) *
-            Vec3<double>(d[0], d[links_.d.stride], d[2 * links_.d.stride]));
+      const long s = links_.d.stride;
+      x.add(rotated(link(j - 1), 2, whole_.x));
+      x.add(rotated(between, 2 / between.squaredNorm(), {d[0], d[s], d[2 * s]}));
     }
+    front = product(q, whole_.q);
     Sum at = x;
-    at.add(rotation_matrix(q) * half_.x);
+    at.add(rotated(q, 2, half_.x));
     const Quat turn = product(q, half_.q);
     out[j] = {{at.value()[0], at.value()[1], at.value()[2]}, {turn[0], turn[1], turn[2], turn[3]}};
   }

@@ -4,6 +4,7 @@
 #include "reference/chain/chain.hpp"
 #include "reference/chain/loops/sweep.hpp"
 
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -11,9 +12,7 @@ namespace halfway::reference::chain::detail {
 
 using Quat = Eigen::Vector4d;  ///< w, x, y, z
 
-inline Mat3<double> rotation_matrix(const Quat& q) {
-  return so3::matrix(so3::Quaternion<double>{q[0], q.tail<3>()});
-}
+Mat3<double> rotation_matrix(const Quat& q);
 
 /// A rigid motion in the axes it starts from.
 struct Arc {
@@ -23,7 +22,21 @@ struct Arc {
 /// Along the stress-free curve over the length s, m; negative: towards the root.
 Arc arc(const Chain& chain, double s);
 
-/// Memory of a chain: 4 + 3 + 6 + 42 numbers a link, 72 more where inverses are kept. The state is the links'
+/// Memory that is written before it is read, in large pages where the system has them: a first touch of small
+/// ones costs as much as half an iteration.
+class Pages {
+ public:
+  explicit Pages(long numbers);
+  double* get() const { return first_.get(); }
+
+ private:
+  struct Free {
+    void operator()(double* p) const { std::free(p); }
+  };
+  std::unique_ptr<double, Free> first_;
+};
+
+/// Memory of a chain: 4 + 3 + 8 + 42 numbers a link, 72 more where inverses are kept. The state is the links'
 /// quaternions and each joint's d in its half-way frame: relative, so that nothing cancels however long the
 /// chain is; positions follow by a sum.
 class State {
@@ -55,7 +68,7 @@ class State {
   Arc whole_, half_;
   Vec3<double> origin_;
   std::vector<double> q_, d_, increment_, saved_;
-  std::unique_ptr<double[]> factors_, kept_;
+  Pages factors_, kept_;
   Links links_;
 };
 

@@ -1,5 +1,6 @@
 #include "reference/chain/newton.hpp"
 
+#include "reference/chain/joints.hpp"
 #include "reference/chain/sweeps.hpp"
 #include "reference/record/worst.hpp"
 
@@ -11,59 +12,7 @@
 namespace halfway::reference::chain::detail {
 namespace {
 
-using batch::Batch, batch::Output;
-
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-
-/// The section's stiffnesses over h in the order of the strains.
-Vec6 stiffness(const Chain& c) {
-  const Section& s = c.section;
-  Vec6 k;
-  k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
-  return k * (double(c.links) / c.length);
-}
-
-/// Code and law of the joints.
-class Joints {
- public:
-  Joints(const Chain& chain, const Settings& settings)
-      : own_({chain.formulation, Kind::linear_angular, batch::LawForm::linear, chain.xi}, settings.isa),
-        attached_({"attached_a", Kind::linear_angular}, settings.isa) {
-    const bool foreign = settings.tangent == Tangent::attached;
-    how_.loads = own_.loop(Output::residual, false).evaluate;
-    set_tangent(foreign ? attached_ : own_, chain.node_order);
-    how_.foreign = foreign;
-    how_.symmetrised = settings.tangent == Tangent::symmetrised;
-    how_.tip_first = chain.node_order == NodeOrder::tip_first;
-    const Vec6 k = stiffness(chain);
-    constexpr int kDiagonal[] = {0, 6, 11, 15, 18, 20};
-    for (int i = 0; i < 6; ++i) std::fill_n(numbers_ + kDiagonal[i] * kChunk, kChunk, k[i]);
-    static constexpr batch::BatchEnd<double> kAtTheNode{};
-    how_.job.law = {numbers_, kChunk};
-    how_.job.a = how_.job.b = &kAtTheNode;
-    how_.job.xi = chain.xi.value_or(0.5);
-  }
-  Joints(const Joints&) = delete;
-  Joints& operator=(const Joints&) = delete;
-  const Evaluation& how() const { return how_; }
-
- private:
-  /// The fewest numbers of which there is a loop.
-  void set_tangent(const Batch& batch, NodeOrder order) {
-    how_.tangent = batch.loop(Output::tangent, false).evaluate;
-    const int rows = Batch::compressed_rows(batch.model());
-    if (rows == 0 || order == NodeOrder::tip_first) return;
-    const auto lean = batch.loop(Output::compressed, false).evaluate;
-    if (lean == batch.loop(Output::tangent, true).evaluate)
-      return;  // no lean loops: it would be compressed later
-    how_.tangent = lean;
-    how_.kept = rows == 21 ? Kept::conservative : Kept::general;
-  }
-
-  Batch own_, attached_;
-  Evaluation how_;
-  alignas(64) double numbers_[21 * kChunk] = {};
-};
 
 /// Entries of the factors beyond which elimination without pivots is not trusted: its rounding, so many times
 /// eps, would be all that an iteration gains.
@@ -107,9 +56,8 @@ class Newton {
 
   bool load_step(double factor) {
     cap_ = settings_.uncapped_first ? std::numeric_limits<double>::infinity() : settings_.spin_cap;
-    if (settings_.uncapped_first) state_.save();
     End end = iterate(factor);
-    if ((end == End::away || end == End::not_finite) && cap_ > settings_.spin_cap) {
+    if (end == End::away) {
       state_.restore();
       ++out_.restarts;
       cap_ = settings_.spin_cap;
@@ -126,9 +74,11 @@ class Newton {
     scale_ = 0;
     for (int i = 0; i < settings_.most_iterations; ++i) {
       const double size = increment(factor, i == 0);
-      if (!std::isfinite(size)) return End::not_finite;
       const double rate = size / previous;
-      if (cap_ > settings_.spin_cap && i > 0 && !(rate < 0.5) && size > settings_.spin_cap) return End::away;
+      const bool bold = cap_ > settings_.spin_cap;
+      if (bold && i > 0 && !(rate < 0.5) && !(size < settings_.spin_cap)) return End::away;
+      if (!std::isfinite(size)) return End::not_finite;
+      if (bold && i == 0) state_.save();
       if (settings_.progress && !settings_.progress(i + 1, settings_.most_iterations)) return End::stopped;
       const double left = rate < 0.5 ? size * rate / (1 - rate) : size;
       if (scale_ == 1 && (left < kLeft || (size < kSmall && !(rate < 0.25))) && balanced(factor)) {
@@ -182,12 +132,6 @@ class Newton {
     for (int c = 0; c < 6; ++c) keep_largest(at_tip_.imbalance[c], std::abs(at_tip_.residual[c] + load[c]));
     const double f = largest(at_tip_.largest, 0), m = largest(at_tip_.largest, 3);
     const double f0 = largest(at_tip_.imbalance, 0), m0 = largest(at_tip_.imbalance, 3);
-    if (std::getenv("VV"))
-      std::fprintf(stderr,
-                   "f %.3g m %.3g df %.3g dm %.3g | df/eps f %.3g, df/(eps(f+m/L)) %.3g, df/(eps EA/h L)  "
-                   "%.3g; dm/eps k/h %.3g\n",
-                   f, m, f0, m0, f0 / kEps / f, f0 / kEps / (f + m / chain_.length),
-                   f0 / kEps / (k[0] * chain_.length), m0 / kEps / k.tail<3>().maxCoeff());
     // Forces are known to eps of their size and of what the moments make of it, angles to eps.
     const double of_force = kEps * (f + m / chain_.length);
     const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + chain_.length * f);
@@ -204,6 +148,8 @@ class Newton {
       case End::stopped:
         return "stopped by the caller" + at;
       default:
+        if (out_.iterations.back().increment < kSmall)
+          return fmt::format("loads of {:.1e} times rounding are not in balance", out_.imbalance) + at;
         return fmt::format("increments of {:.1e} do not vanish", out_.iterations.back().increment) + at;
     }
   }

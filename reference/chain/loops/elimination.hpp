@@ -22,9 +22,9 @@ HALFWAY_INLINE void subtract(const double* A, const double* opposite, int stride
                            HALFWAY_INLINE_LAMBDA { return R::all(from[(6 * r + k) * stride]) * f.row[k]; };
     const R last = times(A, 3) + times(A, 4) + times(A, 5);
     if (opposite == nullptr)
-      D[r] = D[r] - (times(A, 0) + times(A, 1) + times(A, 2)) - last;
+      D[r] = D[r] - times(A, 0) - times(A, 1) - times(A, 2) - last;
     else
-      D[r] = D[r] + (times(opposite, 0) + times(opposite, 1) + times(opposite, 2)) - last;
+      D[r] = D[r] + times(opposite, 0) + times(opposite, 1) + times(opposite, 2) - last;
   }
 }
 
@@ -33,7 +33,7 @@ template <int k, class Isa, class... Rows>
 HALFWAY_INLINE void bring_pivot(Row<Isa> (&S)[6], Rows&... others) {
   int best = k;
   for (int i = k + 1; i < 6; ++i) {
-    if (S[i].size().v[k] > S[best].size().v[k]) best = i;
+    if (S[i].size().at(k) > S[best].size().at(k)) best = i;
   }
   const auto swap = [best](auto& rows) {
     const auto kept = rows[k];
@@ -58,6 +58,7 @@ HALFWAY_INLINE void eliminate_column(Row<Isa> (&S)[6], Rows&... others) {
 }
 
 /// Two columns at a time, by the inverse of their 2 x 2 block: half as many divisions wait for one another.
+/// The last two leave S alone, of which nothing is read any more.
 template <int k, class Isa, class... Rows>
 HALFWAY_INLINE void eliminate_pair(Row<Isa> (&S)[6], Rows&... others) {
   using R = Row<Isa>;
@@ -68,18 +69,20 @@ HALFWAY_INLINE void eliminate_pair(Row<Isa> (&S)[6], Rows&... others) {
     const R first = d * rows[k] - b * rows[k + 1], second = a * rows[k + 1] - c * rows[k];
     rows[k] = first * inverse, rows[k + 1] = second * inverse;
   };
-  divide(S), (divide(others), ...);
+  if constexpr (k < 4) divide(S);
+  (divide(others), ...);
   for (int i = 0; i < 6; ++i) {
     if (i == k || i == k + 1) continue;
     const R first = S[i].template splat<k>(), second = S[i].template splat<k + 1>();
     const auto subtract_from = [&](auto& rows) HALFWAY_INLINE_LAMBDA {
       rows[i] = rows[i] - first * rows[k] - second * rows[k + 1];
     };
-    subtract_from(S), (subtract_from(others), ...);
+    if constexpr (k < 4) subtract_from(S);
+    (subtract_from(others), ...);
   }
 }
 
-/// S^-1 times the rows beside it (Gauss and Jordan).
+/// S^-1 times the rows beside it (Gauss and Jordan); S is spoilt.
 template <bool pivoted, class Isa, class... Rows>
 HALFWAY_INLINE void solve(Row<Isa> (&S)[6], Rows&... others) {
   if constexpr (!pivoted) {

@@ -13,6 +13,8 @@ using halfway::batch::Columns;
 
 /// Joints that are evaluated and eliminated at a time; a multiple of every pack.
 inline constexpr int kChunk = 8;
+/// Of one link's increment: dx, w and what fills up a row.
+inline constexpr int kIncrement = 8;
 /// Of one link's factors: rows of [X | y], u_j = y - X u_(j+1).
 inline constexpr int kFactors = 42;
 /// Of one link's kept inverse: rows of [S^-1 | S^-1 A].
@@ -24,7 +26,7 @@ struct Links {
   double turn[4]{};   ///< the front end's frame in link axes, quaternion w, x, y, z
   Columns<double> q;  ///< 4 rows: quaternions of the links 0 ... N, padded to whole chunks and one more link
   Columns<double> d;  ///< 3 rows: d of the joints in half-way axes, m; joint j at column j
-  double* increment = nullptr;  ///< 6 numbers a link (dx, w), links 0 ... N
+  double* increment = nullptr;  ///< kIncrement numbers a link, links 0 ... N
   double* factors = nullptr;    ///< kFactors numbers a link
   double* kept = nullptr;       ///< kKept numbers a link; nullptr: not kept
 };

@@ -68,12 +68,13 @@ class Along {
   }
 
   void read(long first, int count) {
-    lag(t_.q_old), lag(t_.q), lag(t_.u), lag(t_.BA), lag(t_.BB), lag(t_.QB);
+    lag(t_.q_old), lag(t_.q), lag(t_.u), lag(t_.QB);
+    if constexpr (kTangent) lag(t_.BB), lag(t_.BA);
     for (int c = 0; c < 4; ++c)
       R::load(links_.q.first + c * links_.q.stride + first).store(&t_.q_old[c][kFirst]);
     for (int c = 0; c < 3; ++c) R::load(links_.d.first + c * links_.d.stride + first).store(&t_.d[c][0]);
     R rows[8], columns[8];
-    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + 6 * (first + i));
+    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + kIncrement * (first + i));
     transpose(rows, columns);
     for (int c = 0; c < 6; ++c) columns[c].store(&t_.u[c][kFirst]);
     if (count == kChunk) return;
@@ -155,7 +156,7 @@ class Along {
   void take_balance(long first, int count) {
     for (int c = 0; c < 6; ++c) {
       const R load = R::load(&t_.QA[c][0]), sum = R::load(&t_.QB[c][kBefore]) + load;
-      sum_[c] = R{-sum.v};
+      sum_[c] = -sum;
       if constexpr (what == Sweep::balance) {
         alignas(64) double sizes[kChunk];
         sum.size().store(sizes);
@@ -179,6 +180,7 @@ class Along {
       R S[6], X[6];
       for (int r = 0; r < 6; ++r) S[r] = D[r][i], X[r] = C[r][i];
       subtract<Isa>(&t_.BA[0][kBefore + i], kWhole ? nullptr : &t_.BB[0][kBefore + i], kLagged, last, S);
+      for (int r = 0; r < 6; ++r) X[r] = X[r].with_seventh(S[r]);
       if (!kWhole || links_.kept == nullptr) {
         solve<kPivoted>(S, X);
       } else {
@@ -190,9 +192,10 @@ class Along {
       double* const to = links_.factors + kFactors * (first + i - 1);
       for (int r = 0; r < 6; ++r) {
         growth[r % 2] = growth[r % 2] + X[r] * X[r];
-        last.row[r] = X[r].with_seventh(S[r]);
+        last.row[r] = X[r];
         last.row[r].store(to + 7 * r);
       }
+      to[kFactors] = 0;  // the eighth column of the last row is read, and counts for nothing
     }
     last_ = last;
     growth_ = growth[0] + growth[1];
@@ -214,7 +217,7 @@ class Along {
 
   static R unit(int r) {
     R out{};
-    out.v[r] = 1;
+    out.set(r, 1);
     return out;
   }
 
@@ -223,8 +226,8 @@ class Along {
     for (int r = 0; r < 6; ++r) {
       for (int c = 0; c < 6; ++c) {
         double sum = 0;
-        for (int k = 0; k < 6; ++k) sum += inverse[r].v[k] * A[(6 * k + c) * kLagged];
-        to[12 * r + c] = inverse[r].v[c], to[12 * r + 6 + c] = sum;
+        for (int k = 0; k < 6; ++k) sum += inverse[r].at(k) * A[(6 * k + c) * kLagged];
+        to[12 * r + c] = inverse[r].at(c), to[12 * r + 6 + c] = sum;
       }
     }
   }
@@ -237,7 +240,7 @@ class Along {
       double y[6];
       for (int r = 0; r < 6; ++r) {
         y[r] = 0;
-        for (int c = 0; c < 6; ++c) y[r] += kept[12 * r + c] * sum_[c].v[i] - kept[12 * r + 6 + c] * y_[c];
+        for (int c = 0; c < 6; ++c) y[r] += kept[12 * r + c] * sum_[c].at(i) - kept[12 * r + 6 + c] * y_[c];
       }
       for (int r = 0; r < 6; ++r) links_.factors[kFactors * link + 7 * r + 6] = y_[r] = y[r];
     }
@@ -252,10 +255,10 @@ class Along {
     const int at = kFirst + int((links_.count - 1) % kChunk);
     for (int c = 0; c < 3; ++c) {
       double sum = 0;
-      for (int i = 0; i < 8; ++i) sum += position_[c].v[i] - lost_[c].v[i];
+      for (int i = 0; i < 8; ++i) sum += position_[c].at(i) - lost_[c].at(i);
       tip_.x[c] = sum;
     }
-    for (int i = 0; i < 8; ++i) tip_.growth += i < 6 ? growth_.v[i] : 0;
+    for (int i = 0; i < 8; ++i) tip_.growth += i < 6 ? growth_.at(i) : 0;
     for (int r = 0; r < 6; ++r) {
       tip_.residual[r] = -t_.QB[r][at];
       if constexpr (what == Sweep::balance) {
@@ -266,9 +269,9 @@ class Along {
           if constexpr (what == Sweep::reduce) {
             tip_.residual[r] -= links_.kept[6 * r + k] * y_[k];
           } else {
-            tip_.residual[r] -= a * last_.row[k].v[6];
+            tip_.residual[r] -= a * last_.row[k].at(6);
             double s = t_.BB[6 * r + k][at];
-            for (int l = 0; l < 6; ++l) s -= before(6 * r + l, at) * last_.row[l].v[k];
+            for (int l = 0; l < 6; ++l) s -= before(6 * r + l, at) * last_.row[l].at(k);
             tip_.S[6 * r + k] = s;
             if (links_.kept != nullptr) links_.kept[6 * r + k] = a;
           }
@@ -294,57 +297,55 @@ void sweep(const Links& links, const Evaluation& how, double scale, AtTip& tip) 
   along.run(scale);
 }
 
-/// The seven products of a row and (-u, 1) come together in three additions across.
+/// Sums of six rows, each in its column; columns 6 and 7 hold anything.
 template <class Isa>
 HALFWAY_INLINE Row<Isa> sums(const Row<Isa> (&p)[6]) {
-  using R = Row<Isa>;
-  if constexpr (Isa::kBytes == 64) {
-    const auto halves = [](const R& a, const R& b) HALFWAY_INLINE_LAMBDA {
-      return R{__builtin_shufflevector(a.v, b.v, 0, 8, 2, 10, 4, 12, 6, 14)} +
-             R{__builtin_shufflevector(a.v, b.v, 1, 9, 3, 11, 5, 13, 7, 15)};
+  if constexpr (Row<Isa>::kParts == 1) {
+    using V = typename Row<Isa>::Part::V;
+    const auto halves = [](const V& a, const V& b) HALFWAY_INLINE_LAMBDA -> V {
+      return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+             __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     };
-    const auto quarters = [](const R& a, const R& b) HALFWAY_INLINE_LAMBDA {
-      return R{__builtin_shufflevector(a.v, b.v, 0, 1, 8, 9, 4, 5, 12, 13)} +
-             R{__builtin_shufflevector(a.v, b.v, 2, 3, 10, 11, 6, 7, 14, 15)};
+    const auto quarters = [](const V& a, const V& b) HALFWAY_INLINE_LAMBDA -> V {
+      return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) +
+             __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
     };
-    const R a = quarters(halves(p[0], p[1]), halves(p[2], p[3])), b = halves(p[4], p[5]);
-    const R c = quarters(b, b);
-    return R{__builtin_shufflevector(a.v, c.v, 0, 1, 2, 3, 8, 9, 10, 11)} +
-           R{__builtin_shufflevector(a.v, c.v, 4, 5, 6, 7, 12, 13, 14, 15)};
+    const auto row = [&](int r) HALFWAY_INLINE_LAMBDA { return p[r].part[0].v; };
+    const V a = quarters(halves(row(0), row(1)), halves(row(2), row(3))), b = halves(row(4), row(5));
+    const V c = quarters(b, b);
+    return {typename Row<Isa>::Part(V(__builtin_shufflevector(a, c, 0, 1, 2, 3, 8, 9, 10, 11) +
+                                      __builtin_shufflevector(a, c, 4, 5, 6, 7, 12, 13, 14, 15)))};
   } else {
-    R out{};
+    Row<Isa> out = Row<Isa>::all(0.);
     for (int r = 0; r < 6; ++r) {
       double sum = 0;
-      for (int c = 0; c < 7; ++c) sum += p[r].v[c];
-      out.v[r] = sum;
+      for (int c = 0; c < 7; ++c) sum += p[r].at(c);
+      out.set(r, sum);
     }
     return out;
   }
 }
 
+/// u_j = y - X u_(j+1), towards the root.
 template <class Isa>
 void substitute(const Links& links, const double (&last)[6], double (&largest)[6]) {
   using R = Row<Isa>;
-  R u{}, most{};
-  for (int c = 0; c < 6; ++c) {
-    u.v[c] = links.increment[6 * links.count + c] = last[c];
-    most.v[c] = last[c] < 0 ? -last[c] : last[c];
-  }
-  const typename R::V one{0, 0, 0, 0, 0, 0, 1, 0};
+  R u{}, seventh{};
+  seventh.set(6, 1);
+  for (int c = 0; c < 6; ++c) u.set(c, last[c]);
+  R most = u.size();
+  u.store(links.increment + kIncrement * links.count);
   for (long j = links.count - 1; j >= 1; --j) {
-    const R v{__builtin_shufflevector(-u.v, one, 0, 1, 2, 3, 4, 5, 14, 15)};
+    const R v = (-u).with_seventh(seventh);
     const double* const from = links.factors + kFactors * j;
     R products[6];
-    for (int r = 0; r < 6; ++r) {
-      const R row = R::load(from + 7 * r);
-      products[r] = v * R{__builtin_shufflevector(row.v, R{}.v, 0, 1, 2, 3, 4, 5, 6, 15)};
-    }
+    for (int r = 0; r < 6; ++r) products[r] = v * R::load(from + 7 * r);
     u = sums<Isa>(products);
-    double* const to = links.increment + 6 * j;
-    for (int c = 0; c < 6; ++c) to[c] = u.v[c];
+    u.store(links.increment + kIncrement * j);
     most = most.larger(u.size());
   }
-  for (int c = 0; c < 6; ++c) largest[c] = most.v[c];
+  // A NaN goes on to the first link, whatever `most` remembers.
+  for (int c = 0; c < 6; ++c) largest[c] = u.at(c) == u.at(c) ? most.at(c) : u.at(c);
 }
 
 template <class Isa>
