@@ -2,10 +2,7 @@
 
 #include "reference/scene/names.hpp"
 #include "reference/scene/read_joint.hpp"
-#include "reference/scene/scene_references.hpp"
-#include "reference/scene/toml_tree.hpp"
-
-#include <fmt/format.h>
+#include "reference/scene/scene_head.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,27 +11,20 @@
 namespace halfway::reference {
 namespace {
 
-constexpr int kMostPoints = 100000;
 constexpr const char* kLoadTypes[] = {"fixed_moment", "follower_moment", "fixed_force"};
 
-SceneLoad read_load(const Field& load, Kind kind) {
+SceneLoad scene_load(const Field& load, Kind kind) {
   load.has_only({"type", "value", "point"});
-  const Names types(std::begin(kLoadTypes), std::end(kLoadTypes));
-  const Field type = load.at("type", "fixed_moment, follower_moment, fixed_force");
-  const std::string name = type.one_of(types);
-  SceneLoad out;
-  out.type = LoadType(std::find(types.begin(), types.end(), name) - types.begin());
+  const NamedLoad read = read_load(load, Names(std::begin(kLoadTypes), std::end(kLoadTypes)));
+  SceneLoad out{LoadType(read.type), read.value};
   if (kind == Kind::linear && out.type != LoadType::fixed_force) {
-    type.refuse("loads a joint that resists no rotation (joint.kind = \"linear\")", "fixed_force");
+    load.find("type")->refuse("loads a joint that resists no rotation (joint.kind = \"linear\")",
+                              "fixed_force");
   }
-  const std::string shape = "3 numbers, N or N m";
-  const Field value = load.at("value", shape);
-  out.value = value.vector(3, shape);
-  if (out.value.isZero(0)) value.refuse("loads nothing", "a load that is not zero");
   if (const auto point = load.find("point")) {
     if (out.type != LoadType::fixed_force)
       point->refuse("is a point of a moment", "point beside fixed_force only");
-    out.point = point->vector(3, "3 numbers, m, axes of node b");
+    out.point = point->vector<3>("3 numbers, m, axes of node b");
   }
   return out;
 }
@@ -59,10 +49,9 @@ bool is_principal(const LawSpec& law, int axis) {
   return true;
 }
 
-void read_path(const Field& path, Scene& scene) {
+void read_joint_path(const Field& path, Scene& scene) {
   path.has_only({"factor_end", "points", "critical_axis"});
-  scene.factor_end = path.at("factor_end", "a number > 0").positive();
-  if (const auto points = path.find("points")) scene.points = points->integer(1, kMostPoints);
+  read_path(path, scene);
   if (const auto axis = path.find("critical_axis")) {
     if (scene.joint.kind != Kind::angular)
       axis->refuse("is asked of a joint that is not angular", "angular joints");
@@ -73,70 +62,41 @@ void read_path(const Field& path, Scene& scene) {
   }
 }
 
+std::optional<Unfit> unfit(const Entry& entry, const JointSpec& joint) {
+  if (accepts_law(entry, joint)) return std::nullopt;
+  return Unfit{"takes no coupling of translation and rotation",
+               "a block-diagonal law, or other formulations"};
+}
+
 void read_wanted(const Field& file, Scene& scene) {
-  scene.outputs = outputs_of(scene.joint.kind);
-  if (const auto outputs = file.find("outputs")) {
-    scene.outputs = outputs->distinct(Names(scene.outputs.begin(), scene.outputs.end()));
-    if (scene.outputs.empty()) outputs->refuse("is empty", "at least one output");
-  }
-  if (const auto xis = file.find("xis")) {
-    scene.xis = xis->distinct_numbers();
-    if (!scene.xis.empty()) scene.joint.xi = scene.xis.front();
-  }
-  const auto names = file.find("formulations");
-  if (!names) return;
-  Names allowed = formulation_names();
-  allowed.push_back(kLinearized);
-  scene.formulations = names->distinct(allowed);
-  if (scene.formulations.empty())
-    names->refuse("is empty", "at least one name, or no such key for all formulations");
-  for (const std::string& name : scene.formulations) {
-    const Entry* entry = find_formulation(name);
-    if (entry && entry->needs_xi && scene.xis.empty())
-      names->refuse(fmt::format("names {}, which needs a xi", name), "xis = [...] beside it");
-    if (entry && !accepts_law(*entry, scene.joint))
-      names->refuse(fmt::format("names {}, which takes no coupling of translation and rotation", name),
-                    "a block-diagonal law, or other formulations");
-  }
+  read_outputs(file, outputs_of(scene.joint.kind), scene);
+  read_formulations(
+      file, {kLinearized}, [&](const Entry& entry) { return unfit(entry, scene.joint); }, scene);
+  if (!scene.xis.empty()) scene.joint.xi = scene.xis.front();
 }
 
-/// The file's name without extension; all of it where that is a folder's name: "...toml" is no "..".
-std::string name_of(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  return stem.find_first_not_of('.') == std::string::npos ? file.filename().string() : stem;
-}
+}  // namespace
 
-Scene scene_of(Document& document, const std::filesystem::path& path) {
-  const Field file(document);
-  file.has_only({"title", "description", "source", "outputs", "formulations", "xis", "joint", "load", "path",
-                 "reference"});
+Scene joint_scene(const Field& file, const std::filesystem::path& path) {
+  if (const auto chain = file.find("chain"))
+    chain->refuse("is a chain where a joint is asked for", "a table [joint]");
+  Names keys = kHeadKeys;
+  keys.insert(keys.end(), {"joint", "load"});
+  file.has_only(keys);
   Scene scene;
-  scene.name = name_of(path);
-  scene.title = file.at("title", "one line of text").text();
-  scene.description = file.text_or("description");
-  scene.source = file.text_or("source");
+  read_title(file, path, scene);
   const Field joint = file.at("joint", "a table [joint]");
   joint.has_only(kJointKeys);
   for (const char* node : {"a", "b"}) {
     if (const auto end = joint.find(node)) end->has_only({"o", "h"});
   }
   scene.joint = read_joint(joint);
-  const Field loads = file.at("load", "at least one table [[load]]");
-  for (const Field load : loads.items("tables [[load]]"))
-    scene.loads.push_back(read_load(load, scene.joint.kind));
-  if (scene.loads.empty()) loads.refuse("is empty", "at least one table [[load]]");
-  read_path(file.at("path", "a table [path]"), scene);
+  for (const Field load : loads_of(file)) scene.loads.push_back(scene_load(load, scene.joint.kind));
+  read_joint_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);
-  if (const auto sets = file.find("reference")) {
-    for (const Field set : sets->items("tables [[reference]]")) {
-      const auto references = read_reference_set(set, scene);
-      scene.references.insert(scene.references.end(), references.begin(), references.end());
-    }
-  }
+  read_references(file, {}, scene);
   return scene;
 }
-
-}  // namespace
 
 const char* to_string(LoadType type) { return kLoadTypes[std::size_t(type)]; }
 
@@ -145,15 +105,9 @@ bool is_critical(const std::string& output) {
 }
 
 Scene read_scene(const std::filesystem::path& path) {
-  Document document;
-  try {
-    read_toml(path, document);
-    Scene scene = scene_of(document, path);
-    scene.notes = std::move(document.notes);
-    return scene;
-  } catch (const Refusal& refusal) {
-    throw SceneError(fmt::format("{}:{}: {}", path.string(), refusal.line, refusal.what()));
-  }
+  Scene out;
+  read_scene_file(path, [&](const Field& file) -> SceneHead& { return out = joint_scene(file, path); });
+  return out;
 }
 
 std::filesystem::path scenes_folder() {
@@ -164,20 +118,8 @@ std::filesystem::path scenes_folder() {
 std::vector<Scene> canonical_scenes() { return scenes_in(scenes_folder()); }
 
 std::vector<Scene> scenes_in(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (auto it = std::filesystem::directory_iterator(folder, error); !error && it != end(it);
-       it.increment(error)) {
-    if (it->path().extension() == ".toml") files.push_back(it->path());
-  }
-  if (error || files.empty()) {
-    throw SceneError(
-        fmt::format("{}: holds no scene ({}); allowed: a folder with *.toml, named by HALFWAY_SCENES",
-                    folder.string(), error ? error.message() : "no file *.toml"));
-  }
-  std::sort(files.begin(), files.end());
   std::vector<Scene> scenes;
-  for (const auto& file : files) scenes.push_back(read_scene(file));
+  for (const auto& file : scene_files(folder)) scenes.push_back(read_scene(file));
   return scenes;
 }
 

@@ -1,4 +1,5 @@
-// Scenes: a joint, loads, wanted outputs and reference values, as a person writes them (TOML).
+// Scenes: a joint, loads, wanted outputs and reference values, as a person writes them (TOML). Of chains see
+// chain_scene.hpp.
 #pragma once
 
 #include "reference/face/joint_spec.hpp"
@@ -31,9 +32,9 @@ struct SceneLoad {
 
 /// One reference value of the scene: output at a load factor.
 struct SceneReference {
-  std::string formulation;
+  std::string formulation;  ///< or kRod, in a scene of a chain
   double factor = 1;
-  std::string output;        ///< theta_x, theta_y, theta_z (rad), u_x, u_y, u_z (m), or one of critical_*
+  std::string output;        ///< one of the scene's, or one of critical_*
   std::string value;         ///< decimal text, all digits kept for 50-digit comparison; empty if `none`
   bool none = false;         ///< the statement is that there is none: no critical moment below pi
   double tolerance = 1e-12;  ///< relative, or absolute (unit of the output) where `absolute`
@@ -49,24 +50,30 @@ struct SceneReference {
 /// the joint, not to a load factor; `factor` is 0 for them.
 bool is_critical(const std::string& output);
 
-struct Scene {
+/// What a scene says whatever it is of, a joint or a chain.
+struct SceneHead {
   std::string name;  ///< file name without extension, e.g. c1_skewed_torque
   std::string title;
   std::string description;
   std::string source;
-  JointSpec joint;
-  std::vector<SceneLoad> loads;
   double factor_end = 1;             ///< the load factor runs from 0 to here
   int points = 20;                   ///< output points of the curve
   int critical_axis = 0;             ///< joint axis 1, 2, 3 about which critical_* are asked; 0: not asked
-  std::vector<std::string> outputs;  ///< theta_x ... u_z: the curves' columns
+  std::vector<std::string> outputs;  ///< the curves' columns
   std::vector<std::string> formulations;  ///< which to solve, in the order of the file; empty: all
   std::vector<double> xis;                ///< at which a formulation with a free xi is solved
   std::vector<SceneReference> references;
   std::vector<std::string> notes;  ///< what the file says otherwise than it was taken: a frame normalised
 };
 
-/// Reads and checks one scene; the format is described in reference/scenes/README.md. Throws SceneError.
+/// A joint between a clamped node and a loaded one; outputs theta_x ... u_z.
+struct Scene : SceneHead {
+  JointSpec joint;
+  std::vector<SceneLoad> loads;
+};
+
+/// Reads and checks one scene of a joint; the format is described in reference/scenes/README.md. Throws
+/// SceneError, also where the file says a chain.
 Scene read_scene(const std::filesystem::path& file);
 
 /// $HALFWAY_SCENES, or the folder of the sources that was built in.

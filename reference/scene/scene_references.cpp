@@ -51,7 +51,7 @@ struct Shared {
   bool has_factor = false;
 };
 
-Shared read_shared(const Field& set, const Scene& scene) {
+Shared read_shared(const Field& set, const SceneHead& scene) {
   Shared shared;
   SceneReference& r = shared.reference;
   r.factor = 0;
@@ -77,7 +77,7 @@ Shared read_shared(const Field& set, const Scene& scene) {
 }
 
 /// The xi of one table, which the scene must solve; 0.5 stands for none.
-double read_xi(const Field& set, const Scene& scene) {
+double read_xi(const Field& set, const SceneHead& scene) {
   const auto field = set.find("xi");
   if (!field) return 0.5;
   const double xi = field->number();
@@ -87,7 +87,8 @@ double read_xi(const Field& set, const Scene& scene) {
   return xi;
 }
 
-void check_formulation(const Field& entry, const std::string& name, const Field& set, const Scene& scene) {
+void check_formulation(const Field& entry, const std::string& name, const Field& set,
+                       const SceneHead& scene) {
   const Entry* formulation = find_formulation(name);
   if (!formulation) {
     const auto names = formulation_names();
@@ -105,7 +106,12 @@ void check_formulation(const Field& entry, const std::string& name, const Field&
   if (formulation->needs_xi) set.at("xi", fmt::format("the xi of {}, one of xis", name));
 }
 
-void check_output(const Field& value, const std::string& output, bool has_factor, const Scene& scene) {
+void check_truth(const std::string& name, const Field& set) {
+  if (const auto xi = set.find("xi"))
+    xi->refuse(fmt::format("stands beside {}, which has no xi", name), "formulations with a xi");
+}
+
+void check_output(const Field& value, const std::string& output, bool has_factor, const SceneHead& scene) {
   std::vector<std::string> outputs = scene.outputs;
   if (scene.critical_axis != 0) outputs.insert(outputs.end(), {"critical_moment", "critical_angle"});
   if (std::find(outputs.begin(), outputs.end(), output) == outputs.end()) {
@@ -139,7 +145,8 @@ SceneReference read_value(const Field& field, const std::string& output, const S
 
 }  // namespace
 
-std::vector<SceneReference> read_reference_set(const Field& set, const Scene& scene) {
+std::vector<SceneReference> read_reference_set(const Field& set, const SceneHead& scene,
+                                               std::string_view truth) {
   set.has_only({"source", "oracle", "tolerance", "absolute", "reason", "factor", "xi", "values"});
   Shared shared = read_shared(set, scene);
   shared.reference.xi = read_xi(set, scene);
@@ -147,7 +154,10 @@ std::vector<SceneReference> read_reference_set(const Field& set, const Scene& sc
   std::vector<SceneReference> out;
   for (const std::string& name : values.keys()) {
     const Field entry = *values.find(name);
-    check_formulation(entry, name, set, scene);
+    if (!truth.empty() && name == truth)
+      check_truth(name, set);
+    else
+      check_formulation(entry, name, set, scene);
     for (const std::string& output : entry.keys()) {
       const Field value = *entry.find(output);
       check_output(value, output, shared.has_factor, scene);

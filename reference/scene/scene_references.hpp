@@ -7,7 +7,9 @@
 namespace halfway::reference {
 
 /// The reference values of one table, checked against `scene`, which is complete but for its
-/// references. Throws Refusal.
-std::vector<SceneReference> read_reference_set(const Field& set, const Scene& scene);
+/// references. Beside formulations values may be of `truth`, what all of them approximate, where it has a
+/// name. Throws Refusal.
+std::vector<SceneReference> read_reference_set(const Field& set, const SceneHead& scene,
+                                               std::string_view truth);
 
 }  // namespace halfway::reference

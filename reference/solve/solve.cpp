@@ -71,9 +71,14 @@ void linear_path(const Scene& scene, Curve& curve) {
   curve.outcome = "converged";
 }
 
+bool asks_for(const SceneHead& scene, std::string_view name) {
+  return scene.formulations.empty() ||
+         std::ranges::find(scene.formulations, name) != scene.formulations.end();
+}
+
 }  // namespace
 
-Curve empty_curve(const Scene& scene, const Choice& choice) {
+Curve empty_curve(const SceneHead& scene, const Choice& choice) {
   Curve curve;
   curve.scene = scene.name;
   curve.formulation = choice.entry ? choice.entry->name : kLinearized;
@@ -100,22 +105,22 @@ Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
   return curve;
 }
 
-std::vector<Choice> choices(const Scene& scene) {
+std::vector<Choice> choices(const SceneHead& scene, const std::function<bool(const Entry&)>& accepts) {
   std::vector<Choice> out;
   for (const Entry& entry : formulations()) {
-    const bool wanted = scene.formulations.empty() ||
-                        std::ranges::find(scene.formulations, entry.name) != scene.formulations.end();
-    if (!wanted || !accepts_law(entry, scene.joint)) continue;
+    if (!asks_for(scene, entry.name) || !accepts(entry)) continue;
     if (!entry.needs_xi) {
       out.push_back({&entry, entry.probe_xi});
     } else {
       for (double xi : scene.xis) out.push_back({&entry, xi});
     }
   }
-  if (scene.formulations.empty() ||
-      std::ranges::find(scene.formulations, kLinearized) != scene.formulations.end()) {
-    out.push_back({nullptr, 0.5});
-  }
+  return out;
+}
+
+std::vector<Choice> choices(const Scene& scene) {
+  auto out = choices(scene, [&](const Entry& entry) { return accepts_law(entry, scene.joint); });
+  if (asks_for(scene, kLinearized)) out.push_back({nullptr, 0.5});
   return out;
 }
 

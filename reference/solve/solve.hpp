@@ -34,8 +34,12 @@ struct Choice {
   double xi;
 };
 
-/// What a scene asks for, in the catalog's order, the linear analysis last; formulations that refuse
-/// the scene's law (accepts_law) are left out.
+/// Of the formulations that a scene of either sort asks for those that `accepts` lets pass, in the catalog's
+/// order, one with a free xi at each of the scene's.
+std::vector<Choice> choices(const SceneHead& scene, const std::function<bool(const Entry&)>& accepts);
+
+/// What a scene of a joint asks for: the linear analysis last, formulations that refuse its law (accepts_law)
+/// left out.
 std::vector<Choice> choices(const Scene& scene);
 
 /// Who is told of each point of a path as it is reached: (points reached, points asked for).
@@ -49,6 +53,6 @@ Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {
 std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
 
 /// The curve of a choice before it is solved: names and columns, no rows.
-Curve empty_curve(const Scene& scene, const Choice& choice);
+Curve empty_curve(const SceneHead& scene, const Choice& choice);
 
 }  // namespace halfway::reference

@@ -1,5 +1,6 @@
 #include "verify/oracle/temporary_scene.hpp"
 
+#include "reference/scene/chain_scene.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ TemporaryScene::~TemporaryScene() {
 
 std::string refusal(const std::filesystem::path& file) {
   try {
-    reference::read_scene(file);
+    reference::read_any_scene(file);
   } catch (const reference::SceneError& error) {
     const std::string message = error.what(), folder = file.parent_path().string() + "/";
     return tapped(message.starts_with(folder) ? message.substr(folder.size()) : message);

@@ -1,8 +1,6 @@
 // Scene files that exist as long as a check needs them.
 #pragma once
 
-#include "reference/scene/scene.hpp"
-
 #include <filesystem>
 #include <string>
 

@@ -1,11 +1,9 @@
 // Broken scene files: each must be refused, and the message must name file, line and key. One good
 // text is broken in one place at a time; "#!" marks the line that the message must name.
-#include "verify/check.hpp"
+#include "verify/oracle/broken_scene.hpp"
 #include "verify/oracle/temporary_scene.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace halfway::verify {
 namespace {
@@ -40,13 +38,6 @@ reason = "r"
 [reference.values]
 invariant = { theta_x = "0.1" }
 )";
-
-struct Broken {
-  const char* what;
-  const char* key;  ///< with which the message must name the place
-  const char* from;
-  const char* to;
-};
 
 constexpr Broken kBroken[] = {
     {"unknown_key_top", "colour = ", "xis = [0.5]\n", "xis = [0.5]\ncolour = 1 #!\n"},
@@ -143,38 +134,6 @@ constexpr Broken kBroken[] = {
     {"key_twice", "", "points = 20", "points = 20\npoints = 30 #!"},
 };
 
-std::string replaced(const Broken& broken) {
-  std::string text = kGood;
-  const auto at = text.find(broken.from);
-  if (at == std::string::npos) throw std::logic_error(fmt::format("{}: nothing to break", broken.what));
-  return text.replace(at, std::string(broken.from).size(), broken.to);
-}
-
-int line_at(const std::string& text, std::size_t position) {
-  return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
-}
-
-Finding refused(const std::string& what, const std::filesystem::path& file, const std::string& place) {
-  const std::string message = refusal(file);
-  const int missing = !message.starts_with(file.filename().string() + ":" + place) +
-                      (message.find("; allowed: ") == std::string::npos);
-  return finding("scenes/refuses/" + what)
-      .about("scenes")
-      .measured(missing, message.empty() ? "it was accepted" : message)
-      .in("missing parts")
-      .at_most(0,
-               fmt::format("the message must begin with the file's name and \"{}\", and say what is allowed",
-                           place))
-      .by(Oracle::closed_form);
-}
-
-std::vector<Finding> check_broken(const Broken& broken) {
-  const std::string text = replaced(broken);
-  const TemporaryScene scene(broken.what, text);
-  return {
-      refused(broken.what, scene.path(), fmt::format("{}: {}", line_at(text, text.find("#!")), broken.key))};
-}
-
 /// A file that breaks off in the middle of a value: refused at its last line.
 std::vector<Finding> check_truncated() {
   const std::string good = kGood, text = good.substr(0, good.find("[0, 0, 1]") + 4);
@@ -193,24 +152,13 @@ std::vector<Finding> check_unreadable() {
   return {refused("unreadable", missing, " cannot be read"), refused("folder", folder, " is a folder")};
 }
 
-/// The good text is accepted: what breaks it is the one change.
-std::vector<Finding> check_good() {
-  const TemporaryScene scene("good", kGood);
-  const std::string message = refusal(scene.path());
-  return {finding("scenes/accepts/good")
-              .about("scenes")
-              .measured(!message.empty(), message)
-              .at_most(0, "the text that the other checks break in one place")
-              .by(Oracle::closed_form)};
-}
-
 }  // namespace
 
 void scene_errors(Checks& checks) {
-  checks.push_back({"scenes/accepts/good", "cases", check_good});
+  checks.push_back({"scenes/accepts/good", "cases", [] { return std::vector{accepted("good", kGood)}; }});
   for (const Broken& broken : kBroken) {
-    checks.push_back(
-        {fmt::format("scenes/refuses/{}", broken.what), "cases", [&broken] { return check_broken(broken); }});
+    checks.push_back({fmt::format("scenes/refuses/{}", broken.what), "cases",
+                      [&broken] { return std::vector{broken_refused(kGood, broken)}; }});
   }
   checks.push_back({"scenes/refuses/truncated", "cases", check_truncated});
   checks.push_back({"scenes/refuses/binary", "cases", check_binary});

@@ -1,12 +1,13 @@
-// halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG.
+// halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG. Of chains see
+// run_chain.cpp.
 #include "reference/scene/names.hpp"
 #include "reference/solve/free_directions.hpp"
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
-#include "reports/cli/run_chart.hpp"
-#include "reports/cli/run_choices.hpp"
-#include "reports/cli/run_files.hpp"
+#include "reports/cli/run/run_chart.hpp"
+#include "reports/cli/run/run_files.hpp"
+#include "reports/cli/run/run_options.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
@@ -18,15 +19,6 @@
 
 namespace halfway::reports {
 namespace {
-
-struct RunOptions {
-  std::string scene;
-  std::vector<std::string> formulations;
-  std::vector<double> xis;
-  std::vector<std::string> formats;
-  std::string folder = "out/run";
-  bool by_arc = false;
-};
 
 void check_formats(const std::vector<std::string>& formats) {
   const std::vector<std::string_view> allowed = {"csv", "json", "svg"};
@@ -74,31 +66,23 @@ std::vector<reference::Curve> solve_all(const RunOptions& options, const referen
 
 void write_curves(const RunOptions& options, const reference::Scene& scene,
                   const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
-  const auto folder = std::filesystem::path(options.folder) / scene.name;
-  const auto wants = [&](std::string_view format) {
-    return options.formats.empty() || std::ranges::find(options.formats, format) != options.formats.end();
-  };
   const auto write = [&](const char* name, const std::string& content) {
-    write_file(folder / name, content);
-    print("wrote " + printable((folder / name).string()) + "\n");
+    write_result(options, scene, name, content);
   };
-  if (wants("csv")) write("curve.csv", curves_csv(curves));
-  if (wants("csv") && scene.critical_axis != 0) write("critical.csv", critical_csv(scene, curves));
-  if (wants("json")) write("curve.json", curves_json(scene, curves, left_out));
-  if (wants("svg")) write("curve.svg", curves_svg(scene, curves));
+  if (options.wants("csv")) write("curve.csv", curves_csv(curves));
+  if (options.wants("csv") && scene.critical_axis != 0) write("critical.csv", critical_csv(scene, curves));
+  if (options.wants("json")) write("curve.json", curves_json(scene, curves, left_out));
+  if (options.wants("svg")) write("curve.svg", curves_svg(scene, curves));
 }
 
-void run(const RunOptions& options) {
-  check_formats(options.formats);
-  const reference::Scene scene = find_scene(options.scene);
+void run_joint(const RunOptions& options, const reference::Scene& scene) {
   if (const auto why = reference::works_on_free_direction(scene))
     throw BadInput(fmt::format("{}: no equilibrium: {}", scene.name, *why));
-  const auto choices = run_choices(scene, options.formulations, options.xis);
-  try_output((std::filesystem::path(options.folder) / scene.name).string());
-  print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");
-  for (const std::string& note : scene.notes) tell("halfway: note: " + printable(note) + "\n");
+  const Fit fit = fit_of(scene);
+  const auto choices = run_choices(scene, fit, options.formulations, options.xis);
+  begin_run(options, scene);
   const auto curves = solve_all(options, scene, choices);
-  const auto missing = options.formulations.empty() ? left_out(scene, choices) : std::vector<LeftOut>{};
+  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<LeftOut>{};
   print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
   if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
@@ -113,7 +97,31 @@ void run(const RunOptions& options) {
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
 }
 
+void run(const RunOptions& options) {
+  check_formats(options.formats);
+  const reference::AnyScene scene = find_scene(options.scene);
+  if (const auto* chain = std::get_if<reference::ChainScene>(&scene)) return run_chain(options, *chain);
+  run_joint(options, std::get<reference::Scene>(scene));
+}
+
 }  // namespace
+
+bool RunOptions::wants(std::string_view format) const {
+  return formats.empty() || std::ranges::find(formats, format) != formats.end();
+}
+
+void begin_run(const RunOptions& options, const reference::SceneHead& scene) {
+  try_output((std::filesystem::path(options.folder) / scene.name).string());
+  print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");
+  for (const std::string& note : scene.notes) tell("halfway: note: " + printable(note) + "\n");
+}
+
+void write_result(const RunOptions& options, const reference::SceneHead& scene, const char* name,
+                  const std::string& content) {
+  const auto file = std::filesystem::path(options.folder) / scene.name / name;
+  write_file(file, content);
+  print("wrote " + printable(file.string()) + "\n");
+}
 
 void add_run(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();

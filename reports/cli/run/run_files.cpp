@@ -1,4 +1,4 @@
-#include "reports/cli/run_files.hpp"
+#include "reports/cli/run/run_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,11 +14,7 @@ bool has_free_xi(const reference::Curve& curve) {
   return entry && entry->needs_xi;
 }
 
-std::string xi_text(const reference::Curve& curve) {
-  return has_free_xi(curve) ? fmt::format("{:.17g}", curve.xi) : "";
-}
-
-nlohmann::ordered_json critical_json(const reference::Scene& scene, const reference::Curve& curve) {
+nlohmann::ordered_json critical_json(const reference::SceneHead& scene, const reference::Curve& curve) {
   if (!curve.critical) return nullptr;
   return {{"axis", scene.critical_axis},
           {"moment", double(curve.critical->moment)},
@@ -39,6 +35,10 @@ std::string curve_label(const reference::Curve& curve) {
   return has_free_xi(curve) ? fmt::format("{} xi={:g}", curve.formulation, curve.xi) : curve.formulation;
 }
 
+std::string xi_text(const reference::Curve& curve) {
+  return has_free_xi(curve) ? fmt::format("{:.17g}", curve.xi) : "";
+}
+
 std::string curves_csv(const std::vector<reference::Curve>& curves) {
   if (curves.empty()) return "";
   std::string out = fmt::format("formulation,xi,{},error,outcome\n", fmt::join(curves.front().columns, ","));
@@ -53,7 +53,7 @@ std::string curves_csv(const std::vector<reference::Curve>& curves) {
   return out;
 }
 
-std::string critical_csv(const reference::Scene& scene, const std::vector<reference::Curve>& curves) {
+std::string critical_csv(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves) {
   std::string out = "formulation,xi,axis,critical_moment,critical_angle\n";
   for (const auto& curve : curves) {
     if (curve.formulation == reference::kLinearized) continue;
@@ -66,7 +66,7 @@ std::string critical_csv(const reference::Scene& scene, const std::vector<refere
   return out;
 }
 
-std::string curves_json(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
+std::string curves_json(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
                         const std::vector<LeftOut>& left_out) {
   nlohmann::ordered_json out = {{"schema", "halfway-run-1"},
                                 {"scene", scene.name},
@@ -91,7 +91,7 @@ std::string curves_json(const reference::Scene& scene, const std::vector<referen
   return out.dump(1) + "\n";
 }
 
-std::string curves_table(const reference::Scene& scene, const std::vector<reference::Curve>& curves,
+std::string curves_table(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
                          const std::vector<LeftOut>& left_out) {
   if (curves.empty()) return "";
   std::size_t width = 11;

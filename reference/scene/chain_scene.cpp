@@ -1,0 +1,127 @@
+#include "reference/scene/chain_scene.hpp"
+
+#include "reference/scene/read_joint.hpp"
+#include "reference/scene/scene_head.hpp"
+
+namespace halfway::reference {
+namespace {
+
+/// Ten times more than rounding leaves anything of.
+constexpr int kMostLinks = 10000000;
+
+/// Of the way to where the end is held.
+constexpr int kMostSteps = 10000;
+
+const Names kChainLoads = {"fixed_force", "follower_force", "fixed_moment", "follower_moment"};
+
+/// One number for axes 2 and 3 of the section, or one for each.
+void read_both(const Field& field, double& second, double& third) {
+  if (!field.is_array()) {
+    second = third = field.positive();
+    return;
+  }
+  const Eigen::Vector2d both = field.vector<2>("a number > 0, or 2 of them: for axes 2 and 3");
+  if (!(both.minCoeff() > 0)) field.refuse("has one that is not positive", "numbers > 0");
+  second = both[0];
+  third = both[1];
+}
+
+Pose<double> read_pose(const Field& field) {
+  Pose<double> out;
+  if (const auto x = field.find("x")) out.x = x->vector<3>("3 numbers, m, global axes");
+  if (const auto h = field.find("h")) out.R = read_rotation(*h);
+  return out;
+}
+
+chain::Section read_section(const Field& chain) {
+  chain::Section out;
+  out.GJ = chain.at("GJ", "a number > 0, N m^2").positive();
+  read_both(chain.at("EI", "one or two numbers > 0, N m^2"), out.EI2, out.EI3);
+  out.EA = chain.at("EA", "a number > 0, N").positive();
+  read_both(chain.at("GA", "one or two numbers > 0, N"), out.GA2, out.GA3);
+  return out;
+}
+
+chain::Chain read_chain(const Field& field) {
+  field.has_only({"links", "length", "GJ", "EI", "EA", "GA", "curvature", "root", "node_order"});
+  chain::Chain out;
+  out.links = field.at("links", "an integer > 0").integer(1, kMostLinks);
+  out.length = field.at("length", "a number > 0, m").positive();
+  out.section = read_section(field);
+  if (const auto curvature = field.find("curvature"))
+    out.curvature = curvature->vector<3>("3 numbers, 1/m: twist, curvature about axes 2 and 3");
+  if (const auto root = field.find("root")) {
+    root->has_only({"x", "h"});
+    out.root = read_pose(*root);
+  }
+  if (const auto order = field.find("node_order"))
+    out.node_order = order->one_of({"root_first", "tip_first"}) == "root_first" ? chain::NodeOrder::root_first
+                                                                                : chain::NodeOrder::tip_first;
+  return out;
+}
+
+void add_load(const Field& load, chain::EndLoads& out) {
+  load.has_only({"type", "value"});
+  const NamedLoad read = read_load(load, kChainLoads);
+  Vec3<double>* const loads[] = {&out.force, &out.follower_force, &out.moment, &out.follower_moment};
+  *loads[read.type] += read.value;
+}
+
+/// The last node is held, or loads act on it along a path.
+void read_end(const Field& file, ChainScene& scene) {
+  scene.points = 1;
+  if (const auto held = file.find("held")) {
+    for (const char* key : {"load", "path"}) {
+      if (const auto other = file.find(key)) other->refuse("stands beside [held]", "one of the two");
+    }
+    held->has_only({"x", "h", "steps"});
+    scene.held = read_pose(*held);
+    if (const auto steps = held->find("steps")) scene.held_steps = steps->integer(1, kMostSteps);
+    return;
+  }
+  for (const Field load : loads_of(file)) add_load(load, scene.loads);
+  if (const auto path = file.find("path")) {
+    path->has_only({"factor_end", "points"});
+    read_path(*path, scene);
+  }
+}
+
+ChainScene chain_of(const Field& file, const std::filesystem::path& path) {
+  Names keys = kHeadKeys;
+  keys.insert(keys.end(), {"chain", "load", "held"});
+  if (const auto joint = file.find("joint")) joint->refuse("stands beside [chain]", "one of the two");
+  file.has_only(keys);
+  ChainScene scene;
+  read_title(file, path, scene);
+  scene.chain = read_chain(file.at("chain", "a table [chain]"));
+  read_end(file, scene);
+  read_outputs(file, {"x", "y", "z", "theta_x", "theta_y", "theta_z"}, scene);
+  read_formulations(
+      file, {}, [](const Entry&) { return std::nullopt; }, scene);
+  read_references(file, kRod, scene);
+  return scene;
+}
+
+}  // namespace
+
+AnyScene read_any_scene(const std::filesystem::path& path) {
+  AnyScene out;
+  read_scene_file(path, [&](const Field& file) -> SceneHead& {
+    if (file.find("chain")) return out.emplace<ChainScene>(chain_of(file, path));
+    return out.emplace<Scene>(joint_scene(file, path));
+  });
+  return out;
+}
+
+std::vector<ChainScene> chain_scenes() {
+  std::vector<ChainScene> out;
+  const auto folder = scenes_folder() / "chains";
+  if (!std::filesystem::is_directory(folder)) return out;
+  for (const auto& path : scene_files(folder)) {
+    read_scene_file(path,
+                    [&](const Field& file) -> SceneHead& { return out.emplace_back(chain_of(file, path)); });
+  }
+  return out;
+}
+
+}  // namespace halfway::reference

@@ -1,0 +1,141 @@
+// The solver's answer judged joint by joint: each node of a chain is in equilibrium by the loads that its
+// joints have alone, on the run-time face, which shares neither batches nor sweeps with the solver.
+#include "verify/check.hpp"
+#include "verify/studies/chains/chain_orders.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace halfway::verify {
+namespace {
+
+namespace chain = reference::chain;
+using reference::Entry;
+using reference::JointSpec;
+using reference::Measurement;
+
+/// Where the stress-free curve is after arc length s, seen from where it starts.
+JointEnd<double> along_curve(const Vec3<double>& curvature, double s) {
+  const Vec3<double> turn = s * curvature;
+  return {so3::gamma<double>(turn) * Vec3<double>(s, 0, 0), so3::exp<double>(turn)};
+}
+
+/// The joint at the middle of a link, its node a the one nearer to the root or the other.
+JointSpec joint_of(const chain::Chain& c) {
+  const double h = c.length / double(c.links);
+  const chain::Section& s = c.section;
+  JointSpec out;
+  out.kind = Kind::linear_angular;
+  out.xi = c.xi.value_or(out.xi);
+  Eigen::VectorXd k(6);
+  k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
+  out.law = reference::LinearSpec{Eigen::MatrixXd((k / h).asDiagonal())};
+  out.a = along_curve(c.curvature, h / 2);
+  out.b = along_curve(c.curvature, -h / 2);
+  if (c.node_order == chain::NodeOrder::tip_first) std::swap(out.a, out.b);
+  return out;
+}
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// Internal loads (f, m) on each node, less what acts on the last one.
+std::vector<Vec6> imbalances(const Entry& entry, const chain::Chain& c, const chain::EndLoads& loads,
+                             const std::vector<chain::Node>& nodes) {
+  const JointSpec spec = joint_of(c);
+  const bool root_first = c.node_order == chain::NodeOrder::root_first;
+  std::vector<Vec6> out(nodes.size(), Vec6::Zero());
+  for (std::size_t j = 1; j < nodes.size(); ++j) {
+    const std::size_t a = root_first ? j - 1 : j, b = root_first ? j : j - 1;
+    const auto q = entry.in_double.point(spec, chain::pose(nodes[a]), chain::pose(nodes[b]), false).q;
+    out[a] += q.head<6>();
+    out[b] += q.tail<6>();
+  }
+  const Mat3<double> R = chain::pose(nodes.back()).R;
+  out.back().head<3>() -= loads.force + R * loads.follower_force;
+  out.back().tail<3>() -= loads.moment + R * loads.follower_moment;
+  return out;
+}
+
+/// Forces over EA/h L, moments over EA/h L^2: what a rounding of the positions makes of them, in eps.
+Measurement worst_imbalance(const chain::Chain& c, const std::vector<Vec6>& all) {
+  const double unit = c.section.EA * double(c.links) * 0x1p-52;
+  Measurement worst;
+  for (std::size_t i = 1; i < all.size(); ++i) {  // node 0 is clamped
+    worst.include(reference::largest_entry<double>(all[i].head<3>()) / unit,
+                  fmt::format("force, node {}", i));
+    worst.include(reference::largest_entry<double>(all[i].tail<3>()) / (unit * c.length),
+                  fmt::format("moment, node {}", i));
+  }
+  return worst;
+}
+
+/// Turned, shifted, pre-curved, under loads of every type.
+std::pair<chain::Chain, chain::EndLoads> generic(const Entry& entry, chain::NodeOrder order) {
+  chain::Chain c = chain_with(chain_scene("precurved_anisotropic"), entry, 12);
+  c.length = 1.3;
+  c.node_order = order;
+  c.root = {{1, -2, 0.5}, so3::exp<double>({0.4, -0.7, 1.1})};
+  return {c, {{-0.5, 0.4, 0.7}, {0.2, -0.6, 0.3}, {0.5, -0.5, 0.3}, {-0.3, 0.4, 0.6}}};
+}
+
+Finding judged_balance(const Entry& entry, const std::string& what, const chain::Chain& c,
+                       const chain::EndLoads& loads, const chain::Solution& found) {
+  Measurement worst;
+  if (found.converged) worst = worst_imbalance(c, imbalances(entry, c, loads, found.nodes));
+  return finding(fmt::format("chains/{}/balance/{}", entry.name, what))
+      .about("chains")
+      .of(std::string(entry.name), "linear_angular")
+      .measured(worst)
+      .in("eps of EA/h L")
+      .at_most(64, "a node is 12 roundings of a running sum from its neighbours, some 5 eps each")
+      .by(Oracle::independent);
+}
+
+/// Both ends held: what the support is said to do is what the last joint needs, at the pose that was asked
+/// for.
+std::vector<Finding> held(const Entry& entry) {
+  const chain::Chain c = generic(entry, chain::NodeOrder::root_first).first;
+  Pose<double> last = chain::pose(chain::at_rest(c).back());
+  last.x += Vec3<double>(-0.1, 0.2, 0.05);
+  last.R = so3::exp<double>({0.3, -0.5, 0.4}) * last.R;
+  chain::Settings settings;
+  settings.load_steps = 4;
+  const chain::Held found = chain::solve_held(c, last, settings);
+  Measurement away;
+  if (found.solution.converged) {
+    const Pose<double> tip = chain::pose(found.solution.nodes.back());
+    away.include(reference::larger((tip.x - last.x).norm(), (tip.R - last.R).norm()), found.solution.outcome);
+  }
+  return {
+      judged_balance(entry, "held", c, {found.force, {0, 0, 0}, found.moment}, found.solution),
+      finding(fmt::format("chains/{}/balance/held_pose", entry.name))
+          .about("chains")
+          .of(std::string(entry.name), "linear_angular")
+          .measured(away)
+          .in("m, rad")
+          .at_most(1e-13, "a running sum of 12 positions some metres from the origin, and a log and an exp")
+          .by(Oracle::closed_form)};
+}
+
+std::vector<Finding> balanced(const Entry& entry) {
+  std::vector<Finding> out;
+  for (const auto order : {chain::NodeOrder::root_first, chain::NodeOrder::tip_first}) {
+    const auto [c, loads] = generic(entry, order);
+    const char* what = order == chain::NodeOrder::root_first ? "root_first" : "tip_first";
+    out.push_back(judged_balance(entry, what, c, loads, chain::solve(c, loads)));
+  }
+  for (const Finding& f : held(entry)) out.push_back(f);
+  return out;
+}
+
+}  // namespace
+
+void chain_balance(Checks& checks) {
+  for (const Entry* entry : chain_formulations()) {
+    checks.push_back(
+        {fmt::format("chains/{}/balance", entry->name), "chains", [entry] { return balanced(*entry); }});
+  }
+}
+
+}  // namespace halfway::verify
