@@ -730,11 +730,45 @@ export interface EndForce {
   rows: Array<ForceError>;
 }
 
+export interface ChainPoint {
+  links: number;
+  error: number | null;
+  iterations: number;
+  ms: number | null;
+}
+
+export interface ChainOrder {
+  formulation: string;
+  rod: string;
+  order: number | null;
+  order_bar: number | null;
+  points: Array<ChainPoint>;
+}
+
+export interface TangentCost {
+  tangent: string;
+  converged: boolean;
+  iterations: number;
+  load_steps: number;
+  ms: number | null;
+}
+
+export interface ChainTangents {
+  formulation: string;
+  costs: Array<TangentCost>;
+}
+
+export interface Chains {
+  orders: Array<ChainOrder>;
+  tangents: Array<ChainTangents>;
+}
+
 export interface Rods {
   skew?: SkewMoment;
   random?: Array<RandomMoments>;
   semi_tangential?: Array<SemiTangential>;
   force?: Array<EndForce>;
+  chains?: Chains;
 }
 
 export interface Stability {

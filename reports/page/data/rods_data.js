@@ -73,3 +73,33 @@ export function crossed(columns, cell) {
     })
   ]);
 }
+
+/** Words of the scenes of chains. @type {Record<string, string>} */
+const CHAINS = {
+  straight_anisotropic: 'straight, anisotropic',
+  precurved_anisotropic: 'curved, anisotropic',
+  bend_45_st_venant: '45° bend'
+};
+/** @param {string} rod */
+export const chainName = (rod) => CHAINS[rod] ?? rod.replaceAll('_', ' ');
+
+/** A row per number of links that was solved.
+ * @param {Rods} rods
+ * @returns {{formulation: string, rod: string, links: number, error: number, ms: number, iterations: number,
+ *   order: number | null}[]}
+ */
+export const chainRows = (rods) =>
+  (rods.chains?.orders ?? []).flatMap((of) =>
+    of.points
+      .filter((p) => isNumber(p.error) && isNumber(p.ms))
+      .map((p) => ({
+        ...{
+          formulation: of.formulation,
+          rod: of.rod,
+          links: p.links,
+          error: Number(p.error),
+          ms: Number(p.ms)
+        },
+        ...{iterations: p.iterations, order: of.order}
+      }))
+  );

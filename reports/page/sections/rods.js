@@ -1,4 +1,5 @@
 // Large rotation: who follows the rod?
+import {chainOrderFigure, chainWorkFigure, orderTable, tangentTable} from '../charts/rods/chains.js';
 import {followFigure} from '../charts/rods/follow.js';
 import {reachFigure} from '../charts/rods/reach.js';
 import {crossed, rodName} from '../data/rods_data.js';
@@ -98,5 +99,21 @@ export const rodParts = (results) => [
     half: true,
     build: () => semiTangentialTable(results)
   },
-  {id: 'rod-force', title: 'Forces', half: true, build: () => forceTable(results)}
+  {id: 'rod-force', title: 'Forces', half: true, build: () => forceTable(results)},
+  {
+    id: 'chain-order',
+    title: 'Chains of joints: how fast they tend to the rod',
+    charts: ['chain-order'],
+    half: true,
+    build: () => chainOrderFigure(results)
+  },
+  {
+    id: 'chain-work',
+    title: 'Chains: error against time',
+    charts: ['chain-work'],
+    half: true,
+    build: () => chainWorkFigure(results)
+  },
+  {id: 'chain-orders', title: 'Observed orders', half: true, build: () => orderTable(results)},
+  {id: 'chain-tangents', title: 'What a wrong tangent costs', half: true, build: () => tangentTable(results)}
 ];

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {crossed, followRows, reachRows, rodName} from '../data/rods_data.js';
+import {chainName, chainRows, crossed, followRows, reachRows, rodName} from '../data/rods_data.js';
 import {degrees} from '../data/ranges_data.js';
 
 const within = (one, five) => [
@@ -63,4 +63,17 @@ test('names of rods, and a table with a gap', () => {
       ['b', '–', '2']
     ]
   );
+});
+
+test('chains: a row per number of links that was solved', () => {
+  const point = {links: 8, error: 0.1, iterations: 5, ms: 0.2};
+  const orders = [
+    {formulation: 'a', rod: 'straight_anisotropic', order: 2, points: [point, {...point, error: null}]}
+  ];
+  const rows = chainRows({chains: {orders, tangents: []}});
+  assert.equal(rows.length, 1);
+  assert.deepEqual([rows[0].links, rows[0].order, rows[0].ms], [8, 2, 0.2]);
+  assert.deepEqual(chainRows({}), []);
+  assert.equal(chainName('straight_anisotropic'), 'straight, anisotropic');
+  assert.equal(chainName('my_rod'), 'my rod');
 });

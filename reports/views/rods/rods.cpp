@@ -1,5 +1,6 @@
 #include "reports/views/rods/rods.hpp"
 
+#include "reports/views/rods/chains.hpp"
 #include "reports/views/rounded.hpp"
 #include "verify/studies/rods/end_force.hpp"
 #include "verify/studies/rods/one_joint.hpp"
@@ -89,7 +90,8 @@ struct Part {
 constexpr Part kParts[] = {{"skew", skew_record},
                            {"random", random_record},
                            {"semi_tangential", semi_tangential_record},
-                           {"force", force_record}};
+                           {"force", force_record},
+                           {"chains", chains_record}};
 
 }  // namespace
 
