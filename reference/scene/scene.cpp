@@ -94,10 +94,20 @@ void read_wanted(const Field& file, Scene& scene) {
     const Entry* entry = find_formulation(name);
     if (entry && entry->needs_xi && scene.xis.empty())
       names->refuse(fmt::format("names {}, which needs a xi", name), "xis = [...] beside it");
-    if (entry && !accepts_law(*entry, scene.joint))
-      names->refuse(fmt::format("names {}, which takes no coupling of translation and rotation", name),
-                    "a block-diagonal law, or other formulations");
+    if (entry && entry->needs_length && !scene.has_length)
+      names->refuse(fmt::format("names {}, which needs the length of its rod", name),
+                    "joint.length beside it");
+    if (const char* why = entry ? law_refused(*entry, scene.joint) : nullptr)
+      names->refuse(fmt::format("names {}, which {}", name, why),
+                    entry->block_diagonal_law_only ? "a block-diagonal law, or other formulations"
+                                                   : "a positive definite law, or other formulations");
   }
+}
+
+Names keys_of_joint() {
+  Names keys = kJointKeys;
+  keys.insert(keys.end(), kRodKeys.begin(), kRodKeys.end());
+  return keys;
 }
 
 /// The file's name without extension; all of it where that is a folder's name: "...toml" is no "..".
@@ -116,11 +126,12 @@ Scene scene_of(Document& document, const std::filesystem::path& path) {
   scene.description = file.text_or("description");
   scene.source = file.text_or("source");
   const Field joint = file.at("joint", "a table [joint]");
-  joint.has_only(kJointKeys);
+  joint.has_only(keys_of_joint());
   for (const char* node : {"a", "b"}) {
     if (const auto end = joint.find(node)) end->has_only({"o", "h"});
   }
   scene.joint = read_joint(joint);
+  scene.has_length = read_rod(joint, scene.joint);
   const Field loads = file.at("load", "at least one table [[load]]");
   for (const Field load : loads.items("tables [[load]]"))
     scene.loads.push_back(read_load(load, scene.joint.kind));

@@ -55,6 +55,7 @@ struct Scene {
   std::string description;
   std::string source;
   JointSpec joint;
+  bool has_length = false;  ///< does the file say the joint's rod, which formulations of one need?
   std::vector<SceneLoad> loads;
   double factor_end = 1;             ///< the load factor runs from 0 to here
   int points = 20;                   ///< output points of the curve

@@ -1,6 +1,7 @@
 #include "reference/solve/solve.hpp"
 
 #include "reference/record/worst.hpp"
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stop_cause.hpp"
 
@@ -46,9 +47,15 @@ bool goes_on(const Outcome<double>& state) {
 
 void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve& curve) {
   Path<double> path(scene, entry, curve.xi);
+  const double radius = convex_radius(entry, scene.joint);
   add_state(scene, path, curve);
   for (int i = 1; i <= scene.points && goes_on(path.state()); ++i) {
     path.advance(scene.factor_end * i / scene.points);
+    if (const double phi = so3::log(path.state().joint.R).norm(); phi > radius) {
+      curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", path.state().factor,
+                                  beyond_convexity(entry, phi, radius));
+      return;
+    }
     // Where it stops short of the factor asked for is a point of the path as well.
     if (path.state().factor != curve.rows.back().front()) add_state(scene, path, curve);
     if (told) told(i, scene.points);
@@ -87,7 +94,9 @@ std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice)
   if (scene.critical_axis == 0 || !choice.entry) return std::nullopt;
   JointSpec spec = scene.joint;
   spec.xi = choice.xi;
-  return first_buckling(*choice.entry, spec, scene.critical_axis - 1);
+  const auto found = first_buckling(*choice.entry, spec, scene.critical_axis - 1);
+  if (found && double(found->angle) > convex_radius(*choice.entry, spec)) return std::nullopt;
+  return found;
 }
 
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
@@ -105,7 +114,7 @@ std::vector<Choice> choices(const Scene& scene) {
   for (const Entry& entry : formulations()) {
     const bool wanted = scene.formulations.empty() ||
                         std::ranges::find(scene.formulations, entry.name) != scene.formulations.end();
-    if (!wanted || !accepts_law(entry, scene.joint)) continue;
+    if (!wanted || !accepts_law(entry, scene.joint) || (entry.needs_length && !scene.has_length)) continue;
     if (!entry.needs_xi) {
       out.push_back({&entry, entry.probe_xi});
     } else {

@@ -35,7 +35,7 @@ struct Choice {
 };
 
 /// What a scene asks for, in the catalog's order, the linear analysis last; formulations that refuse
-/// the scene's law (accepts_law) are left out.
+/// the scene's law (accepts_law), or need a length that it does not say, are left out.
 std::vector<Choice> choices(const Scene& scene);
 
 /// Who is told of each point of a path as it is reached: (points reached, points asked for).
@@ -45,7 +45,7 @@ using Told = std::function<void(int done, int total)>;
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {});
 
 /// The first critical state of a choice about the scene's critical_axis; nothing where the scene does not
-/// ask, and where there is none below pi.
+/// ask, and where there is none below pi or none where its energy is convex.
 std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
 
 /// The curve of a choice before it is solved: names and columns, no rows.

@@ -16,6 +16,17 @@ const reference::Entry& entry_of(const std::string& name) {
   throw BadInput(reference::unknown_name("formulation", name, reference::formulation_names()));
 }
 
+void check_scene(const reference::Entry& entry, const reference::Scene& scene) {
+  if (!reference::accepts_law(entry, scene.joint)) {
+    const char* it = entry.block_diagonal_law_only ? "couples translation and rotation"
+                                                   : "has no positive definite angular stiffness";
+    throw BadInput(fmt::format("{} refuses the law of scene {}: it {}", entry.name, scene.name, it));
+  }
+  if (entry.needs_length && !scene.has_length)
+    throw BadInput(fmt::format("{} needs the length of its rod: scene {} names none (joint.length)",
+                               entry.name, scene.name));
+}
+
 bool looks_like_file(const std::string& text) {
   return text.ends_with(".toml") || text.find('/') != std::string::npos;
 }
@@ -46,10 +57,7 @@ std::vector<reference::Choice> run_choices(const reference::Scene& scene,
   std::vector<const reference::Entry*> entries;  // nullptr: the linear analysis
   for (const std::string& name : names) {
     entries.push_back(name == reference::kLinearized ? nullptr : &entry_of(name));
-    if (entries.back() && !reference::accepts_law(*entries.back(), scene.joint)) {
-      throw BadInput(fmt::format("{} refuses the law of scene {}: it couples translation and rotation", name,
-                                 scene.name));
-    }
+    if (entries.back()) check_scene(*entries.back(), scene);
   }
   if (names.empty()) {
     for (const auto& choice : reference::choices(scene)) {
@@ -80,10 +88,10 @@ std::vector<LeftOut> left_out(const reference::Scene& scene, const std::vector<r
   if (!scene.formulations.empty()) return out;
   for (const auto& entry : reference::formulations()) {
     if (std::ranges::find(choices, &entry, &reference::Choice::entry) != choices.end()) continue;
-    const char* reason = reference::accepts_law(entry, scene.joint)
-                             ? "needs a value: --xi 0.5, or xis = [0.5] in the scene"
-                             : "takes no coupling of translation and rotation";
-    out.push_back({std::string(entry.name), reason});
+    const char* refused = reference::law_refused(entry, scene.joint);
+    const char* needed = entry.needs_length ? "needs the length of its rod: joint.length in the scene"
+                                            : "needs a value: --xi 0.5, or xis = [0.5] in the scene";
+    out.push_back({std::string(entry.name), refused ? refused : needed});
   }
   return out;
 }
