@@ -35,11 +35,11 @@ void add_pose(Inputs& in, Generator& g, double phi) {
 
 }  // namespace
 
-Inputs inputs(Kind kind, double xi, bool block_diagonal, bool ends) {
+Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool ends) {
   Generator g(2011);
   Inputs in;
   in.spec.kind = kind;
-  in.spec.xi = xi;
+  static_cast<Parameters&>(in.spec) = parameters;
   Eigen::MatrixXd K = stiffness(g, strain_count(kind));
   if (block_diagonal && kind == Kind::linear_angular) {
     K.topRightCorner(3, 3).setZero();

@@ -2,15 +2,13 @@
 #pragma once
 
 #include "bench/harness/inputs.hpp"
+#include "reference/face/make_formulation.hpp"
 
 namespace halfway::bench {
 
 template <class F>
 F make_formulation() {
-  if constexpr (requires { F::kProbeXi; })
-    return F(F::kProbeXi);
-  else
-    return F{};
+  return reference::make_formulation<F>(reference::probe_parameters<F>());
 }
 
 template <class F, Kind kind, class T = double>
@@ -26,9 +24,7 @@ auto make_joint(const reference::JointSpec& spec) {
 template <class F>
 Inputs inputs_of(Kind kind, bool ends = true) {
   constexpr bool block_diagonal = requires { F::kBlockDiagonalLawOnly; };
-  double xi = 0.5;
-  if constexpr (requires { F::kProbeXi; }) xi = F::kProbeXi;
-  return inputs(kind, xi, block_diagonal, ends);
+  return inputs(kind, reference::probe_parameters<F>(), block_diagonal, ends);
 }
 
 }  // namespace halfway::bench

@@ -8,13 +8,28 @@ using batch::Batch, batch::Output;
 
 Eigen::Matrix<double, 6, 1> stiffness(const Chain& c) {
   const Section& s = c.section;
+  const double h = c.length / double(c.links);
+  // A joint that knows its length stands for all of its link: across, that also gives way by its bending.
+  const double bends = Batch::needs_length(c.formulation) ? h * h / 12 : 0;
   Eigen::Matrix<double, 6, 1> k;
-  k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
-  return k * (double(c.links) / c.length);
+  k << s.EA, 1 / (1 / s.GA2 + bends / s.EI3), 1 / (1 / s.GA3 + bends / s.EI2), s.GJ, s.EI2, s.EI3;
+  return k / h;
 }
 
+namespace {
+
+/// A rod runs from the root on, whichever node is listed first.
+batch::Model model_of(const Chain& c) {
+  batch::Model out{c.formulation, Kind::linear_angular, batch::LawForm::linear, c.xi};
+  out.length = c.length / double(c.links);
+  out.axis = c.node_order == NodeOrder::tip_first ? -1 : 1;
+  return out;
+}
+
+}  // namespace
+
 Joints::Joints(const Chain& chain, const Settings& settings) {
-  const Batch own({chain.formulation, Kind::linear_angular, batch::LawForm::linear, chain.xi}, settings.isa);
+  const Batch own(model_of(chain), settings.isa);
   how_.loads = own.loop(Output::residual, false).evaluate;
   how_.foreign = settings.tangent == Tangent::attached;
   how_.symmetrised = settings.tangent == Tangent::symmetrised;
@@ -27,7 +42,7 @@ Joints::Joints(const Chain& chain, const Settings& settings) {
   static constexpr batch::BatchEnd<double> kAtTheNode{};
   how_.job.law = {law_, kChunk};
   how_.job.a = how_.job.b = &kAtTheNode;
-  how_.job.xi = chain.xi.value_or(0.5);
+  how_.job.parameters = batch::parameters(own.model());
 }
 
 /// The fewest numbers of which there is a loop.

@@ -13,7 +13,7 @@ auto make_joint(const JointSpec& spec) {
   const auto end = [](const JointEnd<double>& e) {
     return JointEnd<T>{e.o.template cast<T>(), e.H.template cast<T>()};
   };
-  return Joint<kind, T, F, L>{make_formulation<F>(spec.xi), L(spec.law), end(spec.a), end(spec.b)};
+  return Joint<kind, T, F, L>{make_formulation<F>(spec), L(spec.law), end(spec.a), end(spec.b)};
 }
 
 template <Kind kind>
@@ -82,6 +82,9 @@ Entry make_entry(std::string_view type, std::string_view header, bool wide) {
     entry.needs_xi = true;
     entry.probe_xi = F::kProbeXi;
   }
+  entry.needs_length = requires { F::kProbeLength; };
+  entry.probe = probe_parameters<F>();
+  if constexpr (requires { &F::convex_radius; }) entry.convex_radius = &F::convex_radius;
   if constexpr (requires { F::kBlockDiagonalLawOnly; }) entry.block_diagonal_law_only = true;
   return entry;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "halfway/joint.hpp"
+#include "halfway/joint/parameters.hpp"
 
 #include <Eigen/LU>
 
@@ -24,9 +25,8 @@ struct PolynomialSpec {
 
 using LawSpec = std::variant<LinearSpec, PolynomialSpec>;
 
-struct JointSpec {
+struct JointSpec : Parameters {
   Kind kind = Kind::angular;
-  double xi = 0.5;  ///< read by formulations that have one
   LawSpec law;
   JointEnd<double> a{}, b{};
 };

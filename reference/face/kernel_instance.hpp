@@ -21,7 +21,7 @@ auto make_kernel_joint(const F& formulation, const JointSpec& spec) {
 template <class F, class T, class Accuracy, class E = kernel::Ends<T>>
 AngularLoads<T> kernel_angular(const JointSpec& spec, const QuaternionPose<T>& a, const QuaternionPose<T>& b,
                                bool with_tangent) {
-  const auto joint = make_kernel_joint<F, Kind::angular, T, E>(make_formulation<F>(spec.xi), spec);
+  const auto joint = make_kernel_joint<F, Kind::angular, T, E>(make_formulation<F>(spec), spec);
   const auto qa = plain(a).q, qb = plain(b).q;
   if constexpr (std::is_same_v<T, double>) {
     if (!with_tangent) return eigen(kernel::loads<false, Accuracy>(joint, qa, qb));
@@ -32,7 +32,7 @@ AngularLoads<T> kernel_angular(const JointSpec& spec, const QuaternionPose<T>& a
 template <class F, Kind kind, class T>
 NodeLoads<T> kernel_point(const JointSpec& spec, const QuaternionPose<T>& a, const QuaternionPose<T>& b,
                           bool with_tangent) {
-  const auto joint = make_kernel_joint<F, kind, T>(make_formulation<F>(spec.xi), spec);
+  const auto joint = make_kernel_joint<F, kind, T>(make_formulation<F>(spec), spec);
   if constexpr (std::is_same_v<T, double>) {
     if (!with_tangent) return eigen(kernel::loads<false>(joint, plain(a), plain(b)));
   }

@@ -46,6 +46,10 @@ struct Entry {
   Evaluators<Real50> in_real50;
   Evaluators<Dual<Real50>> in_dual50;  ///< empty before complete_catalog()
   KernelEntry kernel;                  ///< the same
+  bool needs_length = false;           ///< true for the rod with a length and an axis
+  Parameters probe{};                  ///< at which verify and bench probe it, probe_xi among them
+  /// |theta|, rad, below which the energy is convex for a law of that stiffness; nullptr: no limit.
+  double (*convex_radius)(const Eigen::MatrixXd& K) = nullptr;
 
   template <class T>
   const Evaluators<T>& in() const {

@@ -18,7 +18,7 @@ inline constexpr int kDeepestNesting = 32;
 struct DocumentNode {
   enum class Type : unsigned char { table, array, text, number, boolean, date, nothing };
   Type type = Type::table;
-  bool is_integer = false;  ///< a number written as integer
+  bool is_integer = false;  ///< a number of TOML written as integer
   bool boolean = false;
   int line = 1;
   unsigned end = 0;  ///< node after the last one that it holds; 0: still being read

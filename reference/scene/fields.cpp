@@ -127,7 +127,8 @@ double Field::positive() const {
 int Field::integer(int low, int high) const {
   const std::string allowed = fmt::format("an integer from {} to {}", low, high);
   expect(DocumentNode::Type::number, allowed);
-  if (!node().is_integer) refuse("is not an integer", allowed);
+  const bool has_digits_alone = node().text.find_first_not_of("-0123456789") == std::string_view::npos;
+  if (!node().is_integer && !has_digits_alone) refuse("is not an integer", allowed);
   if (!(node().number >= low && node().number <= high)) refuse("is out of range", allowed);
   return int(node().number);
 }

@@ -1,5 +1,6 @@
 #include "reference/scene/names.hpp"
 
+#include "reference/scene/convexity.hpp"
 #include "reference/scene/document.hpp"
 
 #include <fmt/format.h>
@@ -58,10 +59,15 @@ std::string unknown_name(std::string_view what, std::string_view name,
                      did_you_mean(name, allowed), fmt::join(allowed, ", "));
 }
 
-bool accepts_law(const Entry& entry, const JointSpec& spec) {
+const char* law_refused(const Entry& entry, const JointSpec& spec) {
+  if (!(convex_radius(entry, spec) > 0))
+    return "takes no law whose angular stiffness is not positive definite";
   const auto* linear = std::get_if<LinearSpec>(&spec.law);
-  if (!entry.block_diagonal_law_only || spec.kind != Kind::linear_angular || linear == nullptr) return true;
-  return linear->matrix.topRightCorner(3, 3).isZero(0) && linear->matrix.bottomLeftCorner(3, 3).isZero(0);
+  if (!entry.block_diagonal_law_only || spec.kind != Kind::linear_angular || linear == nullptr)
+    return nullptr;
+  const bool is_uncoupled =
+      linear->matrix.topRightCorner(3, 3).isZero(0) && linear->matrix.bottomLeftCorner(3, 3).isZero(0);
+  return is_uncoupled ? nullptr : "takes no coupling of translation and rotation";
 }
 
 }  // namespace halfway::reference

@@ -23,7 +23,11 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string_vi
 std::string unknown_name(std::string_view what, std::string_view name,
                          const std::vector<std::string_view>& allowed);
 
-/// Does the formulation take this law? drake_rpy refuses coupling of translation and rotation.
-bool accepts_law(const Entry& entry, const JointSpec& spec);
+/// What the formulation has against this law, as "which takes no coupling of translation and rotation" goes
+/// on; nullptr: nothing. drake_rpy refuses coupling, rod4 and rod34 what they cannot invert.
+const char* law_refused(const Entry& entry, const JointSpec& spec);
+inline bool accepts_law(const Entry& entry, const JointSpec& spec) {
+  return law_refused(entry, spec) == nullptr;
+}
 
 }  // namespace halfway::reference

@@ -91,6 +91,17 @@ Mat3<double> read_rotation(const Field& field) {
   return field.holds_arrays() ? from_rows(field) : from_quaternion(field);
 }
 
+bool read_rod(const Field& joint, JointSpec& spec) {
+  const auto length = joint.find("length"), axis = joint.find("axis");
+  if (axis && !length) axis->refuse("stands without a length", "length, m, beside it", "length_missing");
+  if (length) spec.length = length->positive();
+  if (axis) {
+    spec.axis = axis->integer(-3, 3);
+    if (spec.axis == 0) axis->refuse("is no axis", "1, 2, 3 or -1, -2, -3");
+  }
+  return length.has_value();
+}
+
 JointSpec read_joint(const Field& joint) {
   JointSpec spec;
   spec.kind = read_kind(joint.at("kind", "angular, linear, linear_angular"));

@@ -62,17 +62,26 @@ void read_joint_path(const Field& path, Scene& scene) {
   }
 }
 
-std::optional<Unfit> unfit(const Entry& entry, const JointSpec& joint) {
-  if (accepts_law(entry, joint)) return std::nullopt;
-  return Unfit{"takes no coupling of translation and rotation",
-               "a block-diagonal law, or other formulations"};
+std::optional<Unfit> unfit(const Entry& entry, const Scene& scene) {
+  if (entry.needs_length && !scene.has_length)
+    return Unfit{"needs the length of its rod", "joint.length beside it"};
+  const char* why = law_refused(entry, scene.joint);
+  if (why == nullptr) return std::nullopt;
+  return Unfit{why, entry.block_diagonal_law_only ? "a block-diagonal law, or other formulations"
+                                                  : "a positive definite law, or other formulations"};
 }
 
 void read_wanted(const Field& file, Scene& scene) {
   read_outputs(file, outputs_of(scene.joint.kind), scene);
   read_formulations(
-      file, {kLinearized}, [&](const Entry& entry) { return unfit(entry, scene.joint); }, scene);
+      file, {kLinearized}, [&](const Entry& entry) { return unfit(entry, scene); }, scene);
   if (!scene.xis.empty()) scene.joint.xi = scene.xis.front();
+}
+
+Names keys_of_joint() {
+  Names keys = kJointKeys;
+  keys.insert(keys.end(), kRodKeys.begin(), kRodKeys.end());
+  return keys;
 }
 
 }  // namespace
@@ -86,11 +95,12 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path) {
   Scene scene;
   read_title(file, path, scene);
   const Field joint = file.at("joint", "a table [joint]");
-  joint.has_only(kJointKeys);
+  joint.has_only(keys_of_joint());
   for (const char* node : {"a", "b"}) {
     if (const auto end = joint.find(node)) end->has_only({"o", "h"});
   }
   scene.joint = read_joint(joint);
+  scene.has_length = read_rod(joint, scene.joint);
   for (const Field load : loads_of(file)) scene.loads.push_back(scene_load(load, scene.joint.kind));
   read_joint_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);

@@ -69,6 +69,7 @@ struct SceneHead {
 /// A joint between a clamped node and a loaded one; outputs theta_x ... u_z.
 struct Scene : SceneHead {
   JointSpec joint;
+  bool has_length = false;  ///< does the file say the joint's rod, which formulations of one need?
   std::vector<SceneLoad> loads;
 };
 

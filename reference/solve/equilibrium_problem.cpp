@@ -63,7 +63,7 @@ EquilibriumProblem<T>::EquilibriumProblem(const Scene& scene, const Entry& entry
   load_.on_a = exchanged_;
   for (const SceneLoad& load : scene.loads)
     load_ += joint_load<T>(spec_.kind, node_load<T>(load, clamped_.R), frame, b_, exchanged_);
-  if (exchanged_) std::swap(a_, b_);
+  if (exchanged_) std::swap(a_, b_), spec_.axis = -spec_.axis;
 }
 
 template <class T>

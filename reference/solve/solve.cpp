@@ -1,6 +1,7 @@
 #include "reference/solve/solve.hpp"
 
 #include "reference/record/worst.hpp"
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stop_cause.hpp"
 
@@ -46,9 +47,15 @@ bool goes_on(const Outcome<double>& state) {
 
 void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve& curve) {
   Path<double> path(scene, entry, curve.xi);
+  const double radius = convex_radius(entry, scene.joint);
   add_state(scene, path, curve);
   for (int i = 1; i <= scene.points && goes_on(path.state()); ++i) {
     path.advance(scene.factor_end * i / scene.points);
+    if (const double phi = so3::log(path.state().joint.R).norm(); phi > radius) {
+      curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", path.state().factor,
+                                  beyond_convexity(entry, phi, radius));
+      return;
+    }
     // Where it stops short of the factor asked for is a point of the path as well.
     if (path.state().factor != curve.rows.back().front()) add_state(scene, path, curve);
     if (told) told(i, scene.points);
@@ -92,7 +99,9 @@ std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice)
   if (scene.critical_axis == 0 || !choice.entry) return std::nullopt;
   JointSpec spec = scene.joint;
   spec.xi = choice.xi;
-  return first_buckling(*choice.entry, spec, scene.critical_axis - 1);
+  const auto found = first_buckling(*choice.entry, spec, scene.critical_axis - 1);
+  if (found && double(found->angle) > convex_radius(*choice.entry, spec)) return std::nullopt;
+  return found;
 }
 
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told) {
@@ -119,7 +128,9 @@ std::vector<Choice> choices(const SceneHead& scene, const std::function<bool(con
 }
 
 std::vector<Choice> choices(const Scene& scene) {
-  auto out = choices(scene, [&](const Entry& entry) { return accepts_law(entry, scene.joint); });
+  auto out = choices(scene, [&](const Entry& entry) {
+    return accepts_law(entry, scene.joint) && (!entry.needs_length || scene.has_length);
+  });
   if (asks_for(scene, kLinearized)) out.push_back({nullptr, 0.5});
   return out;
 }

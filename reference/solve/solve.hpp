@@ -38,8 +38,8 @@ struct Choice {
 /// order, one with a free xi at each of the scene's.
 std::vector<Choice> choices(const SceneHead& scene, const std::function<bool(const Entry&)>& accepts);
 
-/// What a scene of a joint asks for: the linear analysis last, formulations that refuse its law (accepts_law)
-/// left out.
+/// What a scene of a joint asks for: the linear analysis last; formulations that refuse its law (accepts_law), or
+/// need a length that it does not say, are left out.
 std::vector<Choice> choices(const Scene& scene);
 
 /// Who is told of each point of a path as it is reached: (points reached, points asked for).
@@ -49,7 +49,7 @@ using Told = std::function<void(int done, int total)>;
 Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {});
 
 /// The first critical state of a choice about the scene's critical_axis; nothing where the scene does not
-/// ask, and where there is none below pi.
+/// ask, and where there is none below pi or none where its energy is convex.
 std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
 
 /// The curve of a choice before it is solved: names and columns, no rows.

@@ -23,6 +23,8 @@ constexpr const char* kFields =
 
   formulation  a name of `halfway list`
   xi           of `intrinsic` alone, any number
+  length, axis of `rod34` alone: of its rod, m, > 0; and the joint axis along which the rod runs from a to b, 1, 2,
+               3, or -1, -2, -3 against it; 1 where it is left out
   kind         angular (3 rotations), linear (3 displacements), linear_angular (both, displacements first)
   law          {"type": "linear", "K": ...} with K (or stiffness; or compliance instead): n numbers, a diagonal,
                or n rows of n, n = 3 or 6, N/m, N, N m/rad; symmetric to 1e-12, positive semidefinite
@@ -43,6 +45,7 @@ Answers: {"id", "strain", "loads", "tangent", "energy"}, and "notes" where the i
 Numbers have the fewest digits that give them back. Asked for poses, each of these is a list with an item for
 each pose, the same numbers as asked one by one. A pose without a finite result is null in all lists and named
 in "errors": [{"pose": 3, "code": "singular_pose", "message"}], counted from 0; the others have their answers.
+rod4 and rod34 refuse a pose beyond the rotation within which their energy is convex: code "beyond_convexity".
 A pose that is wrong (poses[3].b.q) refuses the line. A line has at most 16 MiB and 1e6 values, 21 a pose.
 
 Signs: q = dU/dx: internal loads; add -q to your equations of motion.

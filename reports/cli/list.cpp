@@ -26,7 +26,9 @@ void list_formulations() {
   print("Formulations (each for the kinds angular, linear, linear_angular):\n");
   for (const auto& entry : reference::formulations()) {
     print(fmt::format("  {:<{}}  {}{}{}\n", entry.name, width, entry.stands_for,
-                      entry.needs_xi ? "; needs xi" : "",
+                      entry.needs_xi       ? "; needs xi"
+                      : entry.needs_length ? "; needs length"
+                                           : "",
                       entry.block_diagonal_law_only ? "; no coupling of translation and rotation" : ""));
   }
 }

@@ -35,6 +35,20 @@ double read_xi(const Field& line, const reference::Entry& entry) {
   return field ? field->number() : entry.probe_xi;
 }
 
+void check_rod(const Field& line, const reference::Entry& entry) {
+  for (const std::string_view key : reference::kRodKeys) {
+    const auto field = line.find(key);
+    if (field && !entry.needs_length)
+      field->refuse(fmt::format("stands beside {}, which is no rod with a length", entry.name),
+                    fmt::format("no {}", key), "length_not_used");
+  }
+  if (entry.needs_length && !line.find("length")) {
+    throw reference::Refusal(
+        "length_missing", fmt::format("length = nothing: {} needs one; allowed: a number > 0, m", entry.name),
+        "length");
+  }
+}
+
 constexpr std::string_view kNode = "a node {x, q}";
 constexpr std::string_view kPosition = "3 numbers, m, global axes";
 constexpr std::string_view kTurn = "a quaternion [w, x, y, z] or the 3 rows of a rotation matrix";
@@ -107,8 +121,12 @@ void read_want(const Field& field, EvalRequest& request) {
   }
 }
 
-void check_coupling(const EvalRequest& request, const Field& law) {
-  if (reference::accepts_law(*request.entry, request.spec)) return;
+void check_law(const EvalRequest& request, const Field& law) {
+  const char* why = reference::law_refused(*request.entry, request.spec);
+  if (why == nullptr) return;
+  if (!request.entry->block_diagonal_law_only)
+    law.refuse(fmt::format("is refused: {} {}", request.entry->name, why), "a positive definite stiffness",
+               "singular_law");
   reference::matrix_field(law).refuse(
       fmt::format("couples translation and rotation, which {} does not", request.entry->name),
       "off-diagonal 3x3 blocks of zeros", "block_diagonal_law_only");
@@ -116,7 +134,7 @@ void check_coupling(const EvalRequest& request, const Field& law) {
 
 reference::Names known_keys() {
   reference::Names keys = reference::kJointKeys;
-  for (const char* key : {"id", "formulation", "xi", "poses", "want"}) keys.push_back(key);
+  for (const char* key : {"id", "formulation", "xi", "length", "axis", "poses", "want"}) keys.push_back(key);
   return keys;
 }
 
@@ -129,10 +147,12 @@ EvalRequest read_request(reference::Document& document) {
   EvalRequest request;
   request.entry = &read_formulation(line.at("formulation", "a name of ./halfway list"));
   const double xi = read_xi(line, *request.entry);
+  check_rod(line, *request.entry);
   read_poses(line, request);
   request.spec = reference::read_joint(line);
   request.spec.xi = xi;
-  check_coupling(request, line.at("law", ""));
+  reference::read_rod(line, request.spec);
+  check_law(request, line.at("law", ""));
   if (const auto want = line.find("want"))
     read_want(*want, request);
   else

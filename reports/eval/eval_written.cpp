@@ -64,14 +64,6 @@ class Lists {
   std::string strain_, loads_, tangent_, energy_;
 };
 
-reference::Refusal singular_pose(const EvalRequest& request) {
-  return {"singular_pose",
-          fmt::format("{} has no finite result here: its rotation measure is singular at this relative "
-                      "rotation, or the numbers overflow",
-                      request.entry->name),
-          ""};
-}
-
 /// Of one pose among others.
 std::string error_at(std::size_t pose, const reference::Refusal& why) {
   return in_json({{"pose", pose}, {"code", why.code}, {"message", why.what()}});
@@ -92,13 +84,14 @@ std::string written_answer(std::string_view id, const EvalRequest& request,
   std::string errors;
   EvalAnswer answer;
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
-    if (evaluate(request.poses[i], answer)) {
+    const auto refused = evaluate(request.poses[i], answer);
+    if (!refused) {
       lists.add(answer);
       continue;
     }
-    if (!request.is_block) throw singular_pose(request);
+    if (!request.is_block) throw *refused;
     lists.add_null();
-    errors += (errors.empty() ? "" : ",") + error_at(i, singular_pose(request));
+    errors += (errors.empty() ? "" : ",") + error_at(i, *refused);
   }
   std::string out = fmt::format("{{\"id\":{}", id);
   lists.append_to(out);

@@ -1,5 +1,9 @@
 #include "reports/eval/evaluate.hpp"
 
+#include "reference/scene/convexity.hpp"
+
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace halfway::reports {
@@ -29,6 +33,14 @@ Sizes sizes(const reference::AnyLaw<double, N>& law, const Eigen::VectorXd& stra
   return {response.stress.cwiseAbs().maxCoeff(), response.stiffness.cwiseAbs().maxCoeff()};
 }
 
+reference::Refusal singular_pose(const reference::Entry& entry) {
+  return {"singular_pose",
+          fmt::format("{} has no finite result here: its rotation measure is singular at this relative "
+                      "rotation, or the numbers overflow",
+                      entry.name),
+          ""};
+}
+
 /// NaN is out of any bound.
 template <class M>
 bool is_within(const M& values, double bound) {
@@ -37,11 +49,17 @@ bool is_within(const M& values, double bound) {
 
 }  // namespace
 
-Evaluator::Evaluator(const EvalRequest& request) : request_(&request), law_(law_of(request.spec)) {}
+Evaluator::Evaluator(const EvalRequest& request)
+    : request_(&request),
+      law_(law_of(request.spec)),
+      convex_radius_(reference::convex_radius(*request.entry, request.spec)) {}
 
-bool Evaluator::operator()(const PosePair& pose, EvalAnswer& answer) const {
+std::optional<reference::Refusal> Evaluator::operator()(const PosePair& pose, EvalAnswer& answer) const {
   const auto& evaluators = request_->entry->in_double;
   answer.strain = evaluators.strain(request_->spec, pose.a, pose.b);
+  if (const double phi = answer.strain.tail<3>().norm(); phi > convex_radius_)
+    return reference::Refusal("beyond_convexity",
+                              reference::beyond_convexity(*request_->entry, phi, convex_radius_), "");
   if (request_->loads || request_->tangent) {
     const NodeLoads<double> loads =
         reference::node_loads<double>(*request_->entry, request_->spec, pose.a, pose.b, request_->tangent);
@@ -49,7 +67,8 @@ bool Evaluator::operator()(const PosePair& pose, EvalAnswer& answer) const {
     if (request_->tangent) answer.tangent = loads.tangent;
   }
   if (request_->energy) answer.energy = evaluators.energy(request_->spec, pose.a, pose.b);
-  return is_regular(pose, answer);
+  if (is_regular(pose, answer)) return std::nullopt;
+  return singular_pose(*request_->entry);
 }
 
 Evaluator::Bounds Evaluator::bounds(const PosePair& pose, const Eigen::VectorXd& strain) const {

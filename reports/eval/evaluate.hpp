@@ -23,8 +23,9 @@ class Evaluator {
   /// @param request  has to outlive it
   explicit Evaluator(const EvalRequest& request);
 
-  /// @return  has the formulation a finite result?
-  bool operator()(const PosePair& pose, EvalAnswer& answer) const;
+  /// @return  why there is no answer: singular_pose, no finite result; beyond_convexity, an energy that is a
+  /// series
+  std::optional<reference::Refusal> operator()(const PosePair& pose, EvalAnswer& answer) const;
 
  private:
   struct Bounds;
@@ -32,7 +33,8 @@ class Evaluator {
   bool is_regular(const PosePair& pose, const EvalAnswer& answer) const;
 
   const EvalRequest* request_;
-  Law law_;  ///< made once for all poses
+  Law law_;               ///< made once for all poses
+  double convex_radius_;  ///< rad, the same
 };
 
 }  // namespace halfway::reports

@@ -19,6 +19,8 @@ const COLORS = {
   indigo: ['#5b4bb0', '#a79cf2'],
   mauve: ['#93508a', '#d9a2d1'],
   cyan: ['#00808f', '#5fd0de'],
+  crimson: ['#b3123f', '#ff7d98'],
+  rose: ['#d2506e', '#ffb0c0'],
   slate: ['#4f5b66', '#b9c4ce'],
   steel: ['#6b7680', '#93a0ac'],
   brown: ['#7d6a5a', '#d0bba9'],
@@ -51,6 +53,7 @@ const FAMILIES = [
   {field_a: 'olive', field_b: 'moss'},
   {conformal: 'magenta', potential: 'violet', helicoidal: 'pink', quaternion: 'indigo', cayley: 'mauve'},
   {fasse: 'cyan'},
+  {rod4: 'crimson', rod34: 'rose'},
   {
     simbody_xyz: 'slate',
     drake_rpy: 'steel',

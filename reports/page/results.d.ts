@@ -563,7 +563,14 @@ export interface Turns {
   gimbal: Array<Gimbal>;
   conditioning: Array<ErrorSeries>;
   refusals: Array<Refusal>;
+  convexity?: Array<ConvexRange>;
   projection: Projection;
+}
+
+export interface ConvexRange {
+  formulation: string;
+  radius: number;
+  says: string;
 }
 
 export interface EnergyRun {

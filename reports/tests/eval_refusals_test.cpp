@@ -105,6 +105,23 @@ const Mistake kMistakes[] = {
     {[](json& r) { r["xi"] = 0.5; }, "xi_not_used", "xi"},
     {[](json& r) { r["formulation"] = "intrinsic"; }, "xi_missing", "xi"},
     {[](json& r) { r["formulation"] = "intrinsic", r["xi"] = "half"; }, "wrong_type", "xi"},
+    {[](json& r) { r["length"] = 0.5; }, "length_not_used", "length"},
+    {[](json& r) { r["axis"] = 1; }, "length_not_used", "axis"},
+    {[](json& r) { r["formulation"] = "rod34"; }, "length_missing", "length"},
+    {[](json& r) { r["formulation"] = "rod34", r["length"] = 0; }, "wrong_value", "length"},
+    {[](json& r) { r["formulation"] = "rod34", r["length"] = 1, r["axis"] = 0; }, "wrong_value", "axis"},
+    {[](json& r) { r["formulation"] = "rod34", r["length"] = 1, r["axis"] = 4; }, "wrong_value", "axis"},
+    {[](json& r) { r["formulation"] = "rod34", r["length"] = 1, r["axis"] = 1.5; }, "wrong_value", "axis"},
+    {[](json& r) {
+       r["formulation"] = "rod4";
+       r["law"]["K"] = {1, 2, 3, 4, 0, 6};
+     },
+     "singular_law", "law"},
+    {[](json& r) {
+       r["formulation"] = "rod4";
+       r["law"]["K"] = {1, 2, 3, 1, 10, 100};
+     },
+     "beyond_convexity", ""},
     {[](json& r) { r["formulation"] = "drake_rpy"; }, "block_diagonal_law_only", "law.K"},
     {[](json& r) {
        r["a"]["q"] = {1, 0.1, 0, 0};

@@ -38,6 +38,11 @@ json generic_request(const reference::Entry& entry, Kind kind) {
                     {"h", {0.5, -0.5, 0.5, 0.5}}}},
                   {"want", {"strain", "loads", "tangent", "energy"}}};
   if (entry.needs_xi) request["xi"] = 0.25;
+  if (entry.needs_length) request["length"] = 0.75, request["axis"] = -3;
+  if (entry.convex_radius != nullptr) {  // half a radian, which its energy has to stand
+    request["b"]["q"] = request["a"]["q"];
+    request["b"]["h"] = {0.768, 0.224, 0.576, -0.168};
+  }
   return request;
 }
 

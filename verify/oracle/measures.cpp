@@ -116,6 +116,7 @@ Measurement node_swap(const JointUnderTest& joint, const std::vector<Probe>& pro
   return worst(joint, probes, [&](const Probe& probe, const Pose<Real50>& a, const Pose<Real50>& b) {
     JointSpec exchanged = probe.spec;
     std::swap(exchanged.a, exchanged.b);
+    exchanged.axis = -exchanged.axis;  // seen from its other end the rod runs the other way
     const Loads50 q_b_a = joint.loads(exchanged, b, a, false).q;
     Loads50 back;
     back << q_b_a.tail<6>(), q_b_a.head<6>();

@@ -31,7 +31,7 @@ std::vector<Probe> probes(const Entry& entry, Kind kind, int count, double large
   for (int i = 0; i < count; ++i) {
     Probe probe;
     probe.spec.kind = kind;
-    probe.spec.xi = entry.probe_xi;
+    static_cast<Parameters&>(probe.spec) = entry.probe;
     Eigen::MatrixXd K = stiffness(g, strain_count(kind));
     if (entry.block_diagonal_law_only && kind == Kind::linear_angular) {
       K.topRightCorner(3, 3).setZero();

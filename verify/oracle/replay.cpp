@@ -78,6 +78,7 @@ std::string eval_request(const std::string& formulation, const reference::JointS
                   {"b", node_of(b, spec.b)},    {"want", {"strain", "loads", "tangent", "energy"}}};
   const auto* entry = reference::find_formulation(formulation);
   if (entry != nullptr && entry->needs_xi) request["xi"] = spec.xi;
+  if (entry != nullptr && entry->needs_length) request["length"] = spec.length, request["axis"] = spec.axis;
   return request.dump();
 }
 
@@ -90,6 +91,7 @@ std::string scene_text(const reference::Scene& scene, const reference::Entry& en
   if (entry.needs_xi) out += fmt::format("xis = [{}]\n", xi);
   if (!scene.outputs.empty()) out += fmt::format("outputs = [\"{}\"]\n", fmt::join(scene.outputs, "\", \""));
   out += fmt::format("\n[joint]\nkind = \"{}\"\n", to_string(joint.kind));
+  if (entry.needs_length) out += fmt::format("length = {}\naxis = {}\n", joint.length, joint.axis);
   for (const auto& [node, end] : {std::pair("a", &joint.a), std::pair("b", &joint.b)})
     out += fmt::format("offset_{0} = {1}\nframe_{0} = {2}\n", node, row_of(end->o), rows_of(end->H));
   out += "[joint.law]\n" + law_text(joint.law);

@@ -29,7 +29,7 @@ batch::Table<double> law_table(const Eigen::MatrixXd& K) {
 }  // namespace
 
 Lattice lattice(Kind kind, int width, int height) {
-  const Inputs in = inputs(kind, 0.5, true, false);
+  const Inputs in = inputs(kind, {}, true, false);
   const int count = width * height;
   Lattice out{in.spec, {},
               {},      assemble::rows_of(count),

@@ -13,8 +13,8 @@ namespace {
 using batch::Isa, batch::kIsas, batch::Output;
 
 std::shared_ptr<const Inputs> inputs_for(const std::string& formulation, Kind kind, bool ends) {
-  const double xi = reference::find_formulation(formulation)->probe_xi;
-  return std::make_shared<const Inputs>(inputs(kind, xi, false, ends));
+  const Parameters& probe = reference::find_formulation(formulation)->probe;
+  return std::make_shared<const Inputs>(inputs(kind, probe, false, ends));
 }
 
 /// A lane does what the kernel of one joint does. The batch's own dual numbers (J v) are not counted, nor is
@@ -53,7 +53,7 @@ void add_by_isa(Cases& cases, const std::string& formulation, Kind kind) {
 
 /// Laws that do not couple translation and rotation, where there is a loop for them.
 void add_block_diagonal(Cases& cases) {
-  const auto in = std::make_shared<const Inputs>(inputs(Kind::linear_angular, 0.5, true, false));
+  const auto in = std::make_shared<const Inputs>(inputs(Kind::linear_angular, {}, true, false));
   for (const Isa isa : kIsas) {
     BatchProblem p{in, "fasse", isa, Output::tangent, kPoses};
     p.block_diagonal = true;

@@ -12,7 +12,8 @@ namespace {
 using batch::Output;
 
 batch::Model model_of(const BatchProblem& p) {
-  return {p.formulation, p.in->spec.kind, batch::LawForm::linear, p.in->spec.xi};
+  return {p.formulation, p.in->spec.kind,   batch::LawForm::linear,
+          p.in->spec.xi, p.in->spec.length, p.in->spec.axis};
 }
 
 template <class T>

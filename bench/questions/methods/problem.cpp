@@ -29,7 +29,7 @@ std::vector<Evaluated> evaluate_all(const Evaluate& evaluate, const Inputs& in) 
 }
 
 TangentProblem make_problem(const std::string& formulation, Kind kind) {
-  const Inputs in = inputs(kind, 0.5, false);
+  const Inputs in = inputs(kind, {}, false);
   TangentProblem p{formulation, kind, {formulation, in}, {}};
   for (const ErrorAt& range : phi_ranges()) p.ranges.emplace_back(formulation, moved_into(in, range));
   return p;

@@ -74,7 +74,7 @@ Case textbook_case(const std::shared_ptr<const Inputs>& in) {
 
 template <Kind kind>
 void add_cases(Cases& cases) {
-  const auto in = std::make_shared<const Inputs>(inputs(kind, 0.5, false));
+  const auto in = std::make_shared<const Inputs>(inputs(kind, {}, false));
   cases.push_back(textbook_case<kind, Frame::attached, false>(in));
   cases.push_back(textbook_case<kind, Frame::attached, true>(in));
   cases.push_back(textbook_case<kind, Frame::halfway, false>(in));

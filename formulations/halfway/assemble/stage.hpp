@@ -26,7 +26,7 @@ class Stage {
     job_.law = {numbers_, loop.lanes};
     job_.law_step = law_per_joint ? 1 : 0;
     job_.polynomial = model.law == batch::LawForm::polynomial;
-    job_.xi = model.xi.value_or(0.5);
+    job_.parameters = parameters(model);
     job_.loads = {loads_, loop.lanes}, job_.tangent = {tangent_, loop.lanes};
     static constexpr batch::BatchEnd<double> kAtTheNode{};
     set_ends(kAtTheNode, kAtTheNode);

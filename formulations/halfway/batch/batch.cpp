@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace halfway::batch {
@@ -76,12 +77,24 @@ detail::Evaluate<T> leanest(const detail::Functions<T>& f, Output output, LawFor
 
 Batch::Batch(const Model& model, std::optional<Isa> isa)
     : model_(model), widest_(choose(isa)), served_by_(&serving(model.formulation, model.kind)) {
-  if (entry_named(model.formulation).needs_xi && !(model.xi && std::isfinite(*model.xi)))
-    throw std::invalid_argument("formulation '" + model.formulation + "' needs a xi: Model::xi, any number");
+  const Entry& entry = entry_named(model.formulation);
+  const auto refuse = [&](const char* what) {
+    throw std::invalid_argument("formulation '" + model.formulation + "' needs " + what);
+  };
+  if (entry.needs_xi && !(model.xi && std::isfinite(*model.xi))) refuse("a xi: Model::xi, any number");
+  if (!entry.needs_length) return;
+  if (!(model.length && std::isfinite(*model.length) && *model.length > 0))
+    refuse("a length: Model::length, m, > 0");
+  if (model.axis == 0 || std::abs(model.axis) > 3) refuse("an axis: Model::axis, 1, 2, 3 or -1, -2, -3");
 }
 
 bool Batch::knows(std::string_view formulation) {
   return std::ranges::any_of(detail::entries(), [&](const Entry& e) { return e.name == formulation; });
+}
+
+bool Batch::needs_length(std::string_view formulation) {
+  return std::ranges::any_of(detail::entries(),
+                             [&](const Entry& e) { return e.name == formulation && e.needs_length; });
 }
 
 int Batch::compressed_rows(const Model& model) {

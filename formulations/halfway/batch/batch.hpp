@@ -40,8 +40,16 @@ struct Model {
   std::string formulation;  ///< a name of the catalog
   Kind kind = Kind::angular;
   LawForm law = LawForm::linear;
-  std::optional<double> xi{};  ///< demanded by formulations that have one, read by no other
+  /// Demanded by formulations that have one, read by no other; as in Parameters.
+  std::optional<double> xi{}, length{};
+  int axis = 1;
 };
+
+/// What its kernel reads.
+constexpr Parameters parameters(const Model& model) {
+  const Parameters usual;
+  return {model.xi.value_or(usual.xi), model.length.value_or(usual.length), model.axis};
+}
 
 constexpr int law_rows(Kind kind, LawForm law) {
   return kind == Kind::linear_angular ? (law == LawForm::linear ? 21 : 18) : law == LawForm::linear ? 6 : 9;
@@ -106,12 +114,14 @@ struct Options {
 class Batch {
  public:
   /// @param isa  the widest to be used; none: HALFWAY_ISA or what the machine has. Throws
-  /// std::invalid_argument: no such formulation, one that needs a xi without it, or an instruction set that
-  /// this machine lacks.
+  /// std::invalid_argument: no such formulation, one that needs a xi or a length without it, an axis that is
+  /// none, or an instruction set that this machine lacks.
   explicit Batch(const Model& model, std::optional<Isa> isa = {});
 
   /// Is there a batch of that name?
   static bool knows(std::string_view formulation);
+  /// Does it demand Model::length? False of a name that there is no batch of.
+  static bool needs_length(std::string_view formulation);
 
   /// What of a tangent tells the rest of it: 9 numbers of an angular joint (d(m_b)/d(w_b) by rows), 33 of
   /// others: the upper triangle of d(f_b)/d(x_b), d(f_b)/d(w_b), d(m_b)/d(x_b), d(m_b)/d(w_b); where there is

@@ -16,7 +16,7 @@ struct Entry {
   const void* kernel;                   ///< identity of its own kernel
   const void* served[3];                ///< identity of the kernel that serves it, by kind
   const Unit* units[std::size(kIsas)];  ///< by instruction set; nullptr: not built
-  bool needs_xi;
+  bool needs_xi, needs_length;
   int compressed[3];      ///< Batch::compressed_rows(), by kind
   bool has_potential[3];  ///< by kind
 };

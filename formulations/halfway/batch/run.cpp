@@ -63,7 +63,7 @@ Job<T> job_of(const Work<T>& w, const LawCopies<T>* shared) {
   if (shared != nullptr) job.law = {shared->numbers, w.lanes};
   job.polynomial = w.model.law == LawForm::polynomial;
   job.a = ends ? j.a : &kAtTheNode, job.b = ends ? j.b : &kAtTheNode;
-  job.xi = w.model.xi.value_or(0.5);
+  job.parameters = parameters(w.model);
   job.loads = table(w.results.loads);
   job.tangent = w.output == Output::compressed ? blocks(w.results.tangent.first, w.tangent_rows)
                                                : table(w.results.tangent);

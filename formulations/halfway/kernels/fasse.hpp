@@ -90,10 +90,6 @@ struct FasseKernel {
   static HALFWAY_INLINE S3<T> scaled(const T& s, const S3<T>& k) {
     return {s * k.xx, s * k.xy, s * k.xz, s * k.yy, s * k.yz, s * k.zz};
   }
-  template <class T>
-  static HALFWAY_INLINE S3<T> sum(const S3<T>& a, const S3<T>& b) {
-    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
-  }
 
   template <bool with_tangent, class T, class L>
   static HALFWAY_INLINE Half<T> half(const L& law, const M3<T>& P, const V3<T>& d, const V3<T>& p) {
@@ -145,7 +141,7 @@ struct FasseKernel {
       if constexpr (with_tangent) K = law.stiffness(mean).mm;
       return moment<with_tangent>(r, B, law.stress(mean).m, K);
     } else {
-      if constexpr (with_tangent) K = scaled(T(0.5), sum(law.stiffness(at_a).mm, law.stiffness(at_b).mm));
+      if constexpr (with_tangent) K = scaled(T(0.5), law.stiffness(at_a).mm + law.stiffness(at_b).mm);
       return moment<with_tangent>(r, B, T(0.5) * (law.stress(at_a).m + law.stress(at_b).m), K);
     }
   }
@@ -164,7 +160,7 @@ struct FasseKernel {
     out.b.value = turns ? b + part.turn.m : b;
     if constexpr (what == Fill::nodes) out.a.value = turns ? a - part.turn.m : a;
     if constexpr (with_tangent) {
-      out.f.x = full(sum(part.a.K, part.b.K));
+      out.f.x = full(part.a.K + part.b.K);
       M3<T> coupled;  // d(f)/d(dspin)
       if constexpr (coupling == Coupling::all) coupled = part.a.N + part.b.N;
       put_b<coupling>(d, part, coupled, out);

@@ -1,12 +1,13 @@
 // The kernel of each formulation, if it has one: KernelOf<F>::make(formulation).
 //
 // A formulation of the family has one by itself if its measure has (measures.hpp, euler.hpp); another
-// declares it (fasse.hpp, peers.hpp). What has none is evaluated by its readable transcription alone
+// declares it (fasse.hpp, rod.hpp, peers.hpp). What has none is evaluated by its readable transcription alone
 // (joint.hpp), which stays the reference of both.
 #pragma once
 
 #include "halfway/kernels/fasse.hpp"
 #include "halfway/kernels/peers.hpp"
+#include "halfway/kernels/rod.hpp"
 
 namespace halfway::kernel {
 
@@ -32,6 +33,14 @@ requires(detail::in_family<F>()) struct KernelOf<F> {
 template <>
 struct KernelOf<Fasse> {
   static FasseKernel make(const Fasse&) { return {}; }
+};
+template <>
+struct KernelOf<Rod4> {
+  static RodKernel<AsSeen> make(const Rod4&) { return {}; }
+};
+template <>
+struct KernelOf<Rod34> {
+  static RodKernel<Slender> make(const Rod34& rod34) { return {{rod34.rod}}; }
 };
 template <>
 struct KernelOf<ChronoBody> {

@@ -3,6 +3,7 @@
 #include "reference/solve/paths/continuation.hpp"
 
 #include "reference/record/worst.hpp"
+#include "reference/scene/convexity.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/LU>
@@ -51,17 +52,24 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
   const Continuation continuation(scene, *choice.entry, choice.xi, options);
   const EquilibriumPath path = continuation.from_rest();
   Curve curve = empty_curve(scene, choice);
+  const double radius = convex_radius(*choice.entry, scene.joint);
+  curve.converged = path.end == PathEnd::end_factor;
+  curve.outcome = described(path);
+  curve.iterations = path.iterations;
+  if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   for (const PathPoint& point : path.points) {
+    if (const double phi = so3::log(point.state.b.R).norm(); phi > radius) {
+      curve.converged = false;
+      curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", point.state.factor,
+                                  beyond_convexity(*choice.entry, phi, radius));
+      break;
+    }
     std::vector<double> row{point.state.factor};
     for (const std::string& output : scene.outputs)
       row.push_back(continuation.problem().output(output, point.state.b));
     curve.rows.push_back(std::move(row));
     curve.errors.push_back(error_of(continuation.problem(), point.state, scene));
   }
-  curve.converged = path.end == PathEnd::end_factor;
-  curve.outcome = described(path);
-  curve.iterations = path.iterations;
-  if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   return curve;
 }
 

@@ -67,8 +67,10 @@ reference::AnyScene find_scene(const std::string& name_or_file) {
 
 Fit fit_of(const reference::Scene& scene) {
   return {reference::choices(scene), [&scene](const reference::Entry* entry) -> std::string {
-            if (!entry || reference::accepts_law(*entry, scene.joint)) return "";
-            return "takes no coupling of translation and rotation";
+            if (!entry) return "";
+            if (const char* why = reference::law_refused(*entry, scene.joint)) return why;
+            const bool lacks_length = entry->needs_length && !scene.has_length;
+            return lacks_length ? "needs the length of its rod: joint.length in the scene" : "";
           }};
 }
 

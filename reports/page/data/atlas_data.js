@@ -131,6 +131,14 @@ function newtonSteps(results) {
     );
 }
 
+/** Energies that are series end somewhere; the others have no such limit and no row.
+ * @param {import('../data.js').Results} results
+ */
+const convexRanges = (results) =>
+  (results.stability?.range?.convexity ?? []).map((c) =>
+    limitRow(c.formulation, c.radius, c.radius, c.says)
+  );
+
 /** @param {import('../data.js').Results} results */
 const refusal = (results, prefix) =>
   (results.stability?.range?.refusals ?? []).find((r) => r.what.startsWith(prefix))?.says || 'none';
@@ -175,6 +183,14 @@ export function failuresOf(results) {
       first: 'the rotation vector jumps, or an Euler angle has its pole',
       message: 'by the path follower: its outcome names the angle',
       rows: halfTurns(results)
+    },
+    {
+      key: 'convexity',
+      title: 'Energies that are series',
+      axis: 'φ up to, rad',
+      first: 'the energy is convex no more, and unbounded below',
+      message: 'refused by name: eval, run and the path follower',
+      rows: convexRanges(results)
     },
     {
       key: 'singular',

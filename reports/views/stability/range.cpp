@@ -1,5 +1,6 @@
 #include "reports/views/stability/range.hpp"
 
+#include "reference/scene/convexity.hpp"
 #include "reports/eval/eval_line.hpp"
 #include "reports/views/rounded.hpp"
 #include "verify/studies/limits/conditioning.hpp"
@@ -108,6 +109,28 @@ std::string eval_refusal(double drift) {
   return fmt::format("{}: {}", error.at("code").get<std::string>(), error.at("message").get<std::string>());
 }
 
+/// Energies that are convex up to a rotation alone, of the joint that is turned; asked for twice that
+/// rotation about its first axis.
+json convexity() {
+  json out = json::array();
+  for (const Entry& entry : reference::formulations()) {
+    const double radius = reference::convex_radius(entry, reference::turn_joint(entry));
+    if (!std::isfinite(radius)) continue;
+    const json origin = {0, 0, 0};
+    json request = {{"formulation", entry.name},
+                    {"kind", "angular"},
+                    {"law", {{"type", "linear"}, {"K", kTurnStiffness}}},
+                    {"a", {{"x", origin}, {"q", {1, 0, 0, 0}}}},
+                    {"b", {{"x", origin}, {"q", {std::cos(radius), std::sin(radius), 0, 0}}}}};
+    if (entry.needs_length) request["length"] = entry.probe.length;
+    const json answer = json::parse(eval_line(request.dump()));
+    out.push_back({{"formulation", entry.name},
+                   {"radius", rounded(radius, 5)},
+                   {"says", answer.contains("error") ? answer["error"]["message"] : json("")}});
+  }
+  return out;
+}
+
 json refusals() {
   Mat3<double> indefinite, singular;
   indefinite << 1, 2, 0, 2, 1, 0, 0, 0, 1;
@@ -130,7 +153,7 @@ json stability_range_record() {
   json out = {{"stiffness", kTurnStiffness},     {"curves", json::array()},
               {"unwrapped", json::array()},      {"gimbal", json::array()},
               {"large_rotation", json::array()}, {"conditioning", json::array()},
-              {"refusals", refusals()}};
+              {"refusals", refusals()},          {"convexity", convexity()}};
   for (const Entry& entry : reference::formulations()) {
     out["curves"].push_back(curve(turn_curve(entry)));
     for (const int axis : kTurnAxes) out["large_rotation"].push_back(turns(large_rotation(entry, axis)));

@@ -18,6 +18,7 @@ namespace halfway::reports {
 ///   error
 ///                   is null where its note says why
 ///   refusals        [{what, who, says}]: stiffnesses and frames that a reader refuses
+///   convexity       [{formulation, radius (rad), says}]: energies that are series, and what eval says beyond
 ///   projection      {quaternion, polar}: flops of making a drifted matrix a rotation again
 /// Numbers are rounded to the digits that a chart shows; what is not finite is null.
 nlohmann::json stability_range_record();

@@ -34,7 +34,7 @@ double stored(const LawUnderTest& law, const Written& written, const Pose<double
   JointSpec spec = spec_of(law, written);
   Pose<double> a{}, b = moving;
   if (written.setting.nodes_exchanged) {
-    std::swap(spec.a, spec.b);
+    std::swap(spec.a, spec.b), spec.axis = -spec.axis;
     std::swap(a, b);
   }
   return stored_energy(*law.entry, spec, a, b);

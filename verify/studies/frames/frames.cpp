@@ -170,7 +170,7 @@ std::vector<Finding> in_writing(const Entry& entry, const Writing& writing) {
     return {left_out(entry, writing,
                      turn_sequence(entry.name)
                          ? "angles about axes in turn: another law in other axes, see second_order"
-                         : "its measure has axes of its own: another law in other axes")};
+                         : "its measure or its rod has axes of its own: another law in other axes")};
   }
   const bool exchanged = writing.write == nodes_exchanged;
   const auto partner_of = [&](Kind kind) { return exchanged ? exchange_partner(entry, kind) : own(entry); };

@@ -31,7 +31,7 @@ const TurnSequence* turn_sequence(std::string_view formulation) {
 }
 
 bool is_tensorial(const reference::Entry& entry) {
-  if (turn_sequence(entry.name)) return false;
+  if (turn_sequence(entry.name) || entry.needs_length) return false;
   const auto* joint = reference::find_program_joint(entry.name);
   return joint == nullptr || joint->facts.tensorial;
 }

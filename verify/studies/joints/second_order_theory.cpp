@@ -24,7 +24,7 @@ std::optional<double> force_frame(const Entry& entry) {
   if (is_one_of(entry, {"attached_a", "jointc", "simbody_xyz", "field_a", "chrono_body"})) return 0;
   if (is_one_of(entry, {"attached_b", "field_b"})) return 1;
   if (is_one_of(entry, {"invariant", "conformal", "potential", "quaternion", "cayley", "helicoidal", "fasse",
-                        "drake_rpy", "exudyn_intrinsic", "mbdyn_joint_inv"}))
+                        "rod4", "rod34", "drake_rpy", "exudyn_intrinsic", "mbdyn_joint_inv"}))
     return 0.5;
   return std::nullopt;
 }

@@ -81,6 +81,9 @@ Finding refusals() {
                   {"chrono_body", "balanced"});
   wrong += silent([] { Batch({.formulation = "invarient"}); }, {"invarient", "invariant"});
   wrong += silent([] { Batch({.formulation = "intrinsic"}); }, {"intrinsic", "xi"});
+  wrong += silent([] { Batch({.formulation = "rod34"}); }, {"rod34", "length"});
+  wrong += silent([] { Batch({.formulation = "rod34", .length = -1}); }, {"rod34", "length"});
+  wrong += silent([] { Batch({.formulation = "rod34", .length = 1, .axis = 4}); }, {"rod34", "axis"});
   wrong += refused_plans();
   for (const Isa isa : kIsas) {
     if (!batch::available(isa)) wrong += silent([&] { batch::choose(isa); }, {batch::to_string(isa), "sse2"});

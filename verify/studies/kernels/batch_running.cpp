@@ -158,7 +158,9 @@ Finding mixed() {
   for (const Entry& entry : reference::formulations()) {
     if (!Batch::knows(entry.name)) continue;
     for (const Kind kind : kKinds) {
-      members.push_back({{std::string(entry.name), kind, LawForm::linear, entry.probe_xi}, 0});
+      members.push_back({{std::string(entry.name), kind, LawForm::linear, entry.probe.xi, entry.probe.length,
+                          entry.probe.axis},
+                         0});
       joints.push_back(repeated(kind, 4)[3]);
     }
   }

@@ -143,7 +143,8 @@ std::vector<BatchJoint> uncoupled(const Entry& entry, std::vector<BatchJoint> jo
 template <class T>
 BatchTables<T>::BatchTables(const Entry& entry, const std::vector<BatchJoint>& joints, LawForm law_,
                             bool ends_, int rows)
-    : model{std::string(entry.name), joints[0].spec.kind, law_, joints[0].spec.xi},
+    : model{std::string(entry.name), joints[0].spec.kind,   law_,
+            joints[0].spec.xi,       joints[0].spec.length, joints[0].spec.axis},
       q_a(4, long(joints.size())),
       q_b(4, long(joints.size())),
       x_a(3, long(joints.size())),

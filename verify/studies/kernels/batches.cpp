@@ -153,7 +153,12 @@ std::vector<Finding> against_50_digits(const Entry& entry, Kind kind) {
                         .at_most(at_most, reason)
                         .by(Oracle::independent));
     };
-    const Batch batch({.formulation = std::string(entry.name), .kind = kind, .xi = entry.probe_xi}, isa);
+    const Batch batch({.formulation = std::string(entry.name),
+                       .kind = kind,
+                       .xi = entry.probe.xi,
+                       .length = entry.probe.length,
+                       .axis = entry.probe.axis},
+                      isa);
     hold("_loads", errors.loads, kLimit, kLoadsReason);
     hold("_tangent", errors.tangent, kLimit, kTangentReason);
     hold("_polynomial_loads", of_odd.loads, kLimit, kLoadsReason);

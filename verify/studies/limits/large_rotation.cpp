@@ -22,6 +22,7 @@ using reference::pi50;
 enum class Measure {
   vector_projected,
   vector_conjugate,
+  rod,
   conformal,
   quaternion,
   sine,
@@ -44,6 +45,8 @@ constexpr Known kKnown[] = {{"attached_a", Measure::vector_projected, 0},
                             {"mbdyn_joint_inv", Measure::vector_projected, 0},
                             {"potential", Measure::vector_conjugate},
                             {"helicoidal", Measure::vector_conjugate},
+                            {"rod4", Measure::rod},
+                            {"rod34", Measure::rod},
                             {"conformal", Measure::conformal},
                             {"quaternion", Measure::quaternion},
                             {"fasse", Measure::quaternion},
@@ -74,6 +77,10 @@ std::optional<double> jump_at_pi(const Known& k, int axis) {
       return 2 * std::hypot(along, across) / size;
     case Measure::vector_conjugate:
       return 2 * along / size;  // Gamma^-1 + Gamma^-T = 2 n n^T at pi
+    case Measure::rod: {        // the same of K theta and the gradient of -(w x theta) . K^-1 (w x theta)/24
+      const Vec3<double> u = Kn.cross(n);
+      return 2 * std::abs(along - kPi * kPi / 6 * u.dot(u.cwiseQuotient(stiffness()))) / size;
+    }
     case Measure::conformal:
       return 16 * along / (kPi * size);  // 4 tan(pi/4) / cos^2(pi/4), a quarter turn
     case Measure::quaternion:

@@ -1,4 +1,5 @@
 // Paths by arc length where they have closed forms: one axis, through the fold and down again.
+#include "reference/scene/names.hpp"
 #include "reference/solve/paths/branches.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
@@ -110,6 +111,7 @@ std::vector<Finding> singular_start() {
   int wrong = 0;
   std::string outcome;
   for (const Entry& entry : reference::formulations()) {
+    if (!accepts_law(entry, scene.joint)) continue;
     const EquilibriumPath path = Continuation(scene, entry, entry.probe_xi, far_away()).from_rest();
     outcome = path.outcome;
     wrong += path.end != PathEnd::singular_start || path.points.size() != 1;

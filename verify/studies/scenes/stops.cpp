@@ -1,4 +1,5 @@
 // Where plain load stepping stops, does it name the cause that the path by arc length has found there?
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/paths/continuation.hpp"
 #include "reference/solve/solve.hpp"
@@ -69,11 +70,23 @@ StopCause by_arc(const Scene& scene, const Entry& entry, double stopped_at) {
   return StopCause::unknown;
 }
 
+/// Does a curve end where the next point leaves the convex range, and every one of its own is inside?
+bool ends_at_convexity(const Scene& scene, const Entry& entry, const reference::Curve& curve) {
+  const double radius = reference::convex_radius(entry, scene.joint);
+  reference::Path<double> path(scene, entry, entry.probe_xi);
+  const auto turned_at = [&](double factor) { return so3::log<double>(path.advance(factor).joint.R).norm(); };
+  for (const auto& row : curve.rows)
+    if (!(turned_at(row.front()) <= radius)) return false;
+  return turned_at(curve.rows.back().front() + scene.factor_end / scene.points) > radius;
+}
+
 Finding named(const Entry& entry, const Scene& scene, const std::string& what) {
   const reference::Curve curve = reference::solve_scene(scene, {&entry, entry.probe_xi});
   double missed = 0;
   std::string told = curve.outcome;
-  if (!curve.converged) {
+  if (curve.outcome.find("convex") != std::string::npos) {
+    missed = !ends_at_convexity(scene, entry, curve);
+  } else if (!curve.converged) {
     const StopCause cause = by_arc(scene, entry, curve.rows.back().front());
     missed = cause == StopCause::unknown || curve.outcome.find(to_string(cause)) == std::string::npos;
     told += fmt::format("; by arc length: {}", to_string(cause));

@@ -2,6 +2,7 @@
 // give back: plain functions. No standard header.
 #pragma once
 
+#include "halfway/joint/parameters.hpp"
 #include "halfway/rotations/cpp20.hpp"
 
 namespace halfway::batch {
@@ -44,7 +45,7 @@ struct Job {
   long law_step = 0;  ///< joints' law numbers follow one another: 1; shared, one pack of copies: 0
   bool polynomial = false;
   const BatchEnd<T>*a = nullptr, *b = nullptr;  ///< read by the loops for any joints: both
-  double xi = 0.5;
+  Parameters parameters{};
   Place<T> loads{}, tangent{};
 };
 

@@ -25,6 +25,15 @@ template <>
 struct Served<kernel::FamilyKernel<FrameHalfway, QuaternionMeasure, Conjugate>, Kind::angular> {
   using By = kernel::FasseKernel;
 };
+/// A rod without rotations is none, and its forces are none's concern where there are rotations alone.
+template <class Rod>
+struct Served<kernel::RodKernel<Rod>, Kind::linear> {
+  using By = typename Served<typename kernel::RodKernel<Rod>::Half, Kind::linear>::By;
+};
+template <>
+struct Served<kernel::RodKernel<kernel::Slender>, Kind::angular> {
+  using By = kernel::RodKernel<kernel::AsSeen>;
+};
 template <>
 struct Served<kernel::ExudynKernel, Kind::angular> {
   using By = kernel::ExudynKernel::Half;

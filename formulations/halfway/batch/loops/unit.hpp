@@ -83,7 +83,8 @@ HALFWAY_INLINE auto law_at(const Job<Number>& job, long i) {
 template <class K, class Number>
 HALFWAY_INLINE K kernel_of(const Job<Number>& job) {
   K k{};
-  if constexpr (requires { k.translation.xi; }) k.translation.xi = job.xi;
+  if constexpr (requires { k.translation.xi; }) k.translation.xi = job.parameters.xi;
+  if constexpr (requires { k.rod.parameters; }) k.rod.parameters = job.parameters;
   return k;
 }
 

@@ -129,6 +129,10 @@ HALFWAY_INLINE M3<T> times_skew(const M3<T>& a, const V3<T>& v) {
 }
 
 template <class T>
+HALFWAY_INLINE S3<T> operator+(const S3<T>& a, const S3<T>& b) {
+  return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+template <class T>
 HALFWAY_INLINE V3<T> operator*(const S3<T>& k, const V3<T>& v) {
   return {k.xx * v.x + k.xy * v.y + k.xz * v.z, k.xy * v.x + k.yy * v.y + k.yz * v.z,
           k.xz * v.x + k.yz * v.y + k.zz * v.z};
