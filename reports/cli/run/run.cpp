@@ -5,6 +5,7 @@
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/run/rod_curve.hpp"
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace halfway::reports {
 namespace {
@@ -80,8 +82,10 @@ void run_joint(const RunOptions& options, const reference::Scene& scene) {
     throw BadInput(fmt::format("{}: no equilibrium: {}", scene.name, *why));
   const Fit fit = fit_of(scene);
   const auto choices = run_choices(scene, fit, options.formulations, options.xis);
+  const auto rod = options.with_rod ? std::optional(rod_curve(scene)) : std::nullopt;
   begin_run(options, scene);
-  const auto curves = solve_all(options, scene, choices);
+  auto curves = solve_all(options, scene, choices);
+  if (rod) curves.push_back(*rod);
   const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<LeftOut>{};
   print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
@@ -100,7 +104,10 @@ void run_joint(const RunOptions& options, const reference::Scene& scene) {
 void run(const RunOptions& options) {
   check_formats(options.formats);
   const reference::AnyScene scene = find_scene(options.scene);
-  if (const auto* chain = std::get_if<reference::ChainScene>(&scene)) return run_chain(options, *chain);
+  const auto* chain = std::get_if<reference::ChainScene>(&scene);
+  if (chain && options.with_rod)
+    throw BadInput(fmt::format("--rod: scene {} is a chain already", options.scene));
+  if (chain) return run_chain(options, *chain);
   run_joint(options, std::get<reference::Scene>(scene));
 }
 
@@ -133,6 +140,8 @@ void add_run(CLI::App& app) {
   command->add_option("--format", options->formats, "csv, json, svg; default: all")->delimiter(',');
   command->add_flag("--arc", options->by_arc,
                     "Follow paths by arc length: on through folds, all singular points named");
+  command->add_flag("--rod", options->with_rod,
+                    "Of an angular joint also the slender rod of its stiffness, to all orders");
   command->add_option("--out", options->folder, "Folder; the curves go to FOLDER/SCENE/")
       ->capture_default_str();
   command->callback([options] { run(*options); });

@@ -15,7 +15,7 @@ struct RunOptions {
   std::vector<double> xis;
   std::vector<std::string> formats;
   std::string folder = "out/run";
-  bool by_arc = false;
+  bool by_arc = false, with_rod = false;
 
   /// csv, json, svg; all of them where none was named.
   bool wants(std::string_view format) const;

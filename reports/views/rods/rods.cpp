@@ -95,6 +95,19 @@ constexpr Part kParts[] = {{"skew", skew_record},
 
 }  // namespace
 
+json rod_reference_curve() {
+  const SkewMoment& truth = skew_moment();
+  json rows = json::array();
+  constexpr std::size_t kEvery = 12;  // of a load of 5 N m: marks beside lines
+  for (std::size_t i = kEvery - 1; i < truth.moment.size(); i += kEvery)
+    rows.push_back(rounded({truth.moment[i], truth.rod[i][0], truth.rod[i][1], truth.rod[i][2]}, 7));
+  return {{"scene", "c3_buckling"},
+          {"formulation", "slender rod"},
+          {"source", "geometrically exact rod"},
+          {"columns", {"factor", "theta_x", "theta_y", "theta_z"}},
+          {"rows", rows}};
+}
+
 json rods_record(const std::function<void(int, int, const std::string&)>& progress) {
   json out = json::object();
   int done = 0;

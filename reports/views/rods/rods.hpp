@@ -11,4 +11,7 @@ namespace halfway::reports {
 /// @param progress  told after each part: done, of how many, which
 nlohmann::json rods_record(const std::function<void(int, int, const std::string&)>& progress);
 
+/// The rod beside the scene of C3, in the form of paper.reference_curves.
+nlohmann::json rod_reference_curve();
+
 }  // namespace halfway::reports

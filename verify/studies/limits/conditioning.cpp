@@ -3,6 +3,7 @@
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
 #include "reference/record/worst.hpp"
+#include "reference/scene/convexity.hpp"
 #include "verify/once.hpp"
 
 #include <fmt/format.h>
@@ -71,8 +72,11 @@ void add_decades(ErrorRows& rows, const Entry& entry, const std::string& what, c
     }
     if (!worst.is_empty()) rows.push_back({what, std::string(entry.name), at, worst.value()});
   };
-  for (int decade = first; decade <= 0; ++decade) add(std::pow(10., decade));
-  add(2), add(3);
+  const double most = convex_radius(entry, spec);  // beyond, what solves refuses
+  for (int decade = first; decade <= 0; ++decade)
+    if (const double phi = std::pow(10., decade); phi <= most) add(phi);
+  for (const double phi : {2., 3.})
+    if (phi <= most) add(phi);
 }
 
 /// Nothing where the formulation has no such kernel.

@@ -98,6 +98,9 @@ std::vector<Finding> over_ratio(const Entry& entry) {
 }
 
 std::vector<Finding> at_bad_stiffness(const Entry& entry) {
+  if (entry.convex_radius)
+    return {property_finding(entry, Kind::angular, "conditioning_singular_loads")
+                .left_out("takes no law whose angular stiffness is not positive definite")};
   return {held(
       entry, errors(entry, errors_at_bad_stiffness), "singular/loads", "singular_loads", kEps,
       [](double) { return 1.; }, 4, "loads need no inverse: singular and indefinite laws evaluate")};

@@ -1,5 +1,6 @@
 // Stiffnesses far apart, singular and indefinite.
 #include "reference/face/instantiations.hpp"
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/studies/limits/conditioning.hpp"
 
@@ -102,6 +103,7 @@ ErrorRows errors_over_ratio(const Entry& entry) {
     for (int decade = 0; decade <= 8; ++decade) {
       const double ratio = std::pow(10., decade);
       const JointSpec spec = joint_of(entry, spread_stiffness(ratio, rotated));
+      if (kAngle > convex_radius(entry, spec)) continue;  // refused there
       const std::string name(entry.name);
       rows.push_back({series + "/loads", name, ratio, loads_error(entry, spec)});
       rows.push_back(solve_error(entry, soft_scene(spec, rotated), {series + "/solve", name, ratio}));
@@ -114,6 +116,7 @@ ErrorRows errors_at_bad_stiffness(const Entry& entry) {
   ErrorRows rows;
   for (const double smallest : {1e-14, 0., -1.}) {
     const Mat3<double> K = Vec3<double>(smallest, 1, 2).asDiagonal();
+    if (kAngle > convex_radius(entry, joint_of(entry, K))) continue;  // refused there
     rows.push_back(
         {"singular/loads", std::string(entry.name), smallest, loads_error(entry, joint_of(entry, K))});
   }

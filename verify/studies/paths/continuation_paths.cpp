@@ -1,5 +1,6 @@
 // The skewed buckling case by arc length: against load stepping, there and back, and in coarse
 // steps; and what load stepping in whole steps makes of it.
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/solve.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"
@@ -128,6 +129,10 @@ Finding coarse(const Entry& entry, const Continuation& continuation, const Equil
 }
 
 std::vector<Finding> skewed(const Entry& entry) {
+  if (const double radius = convex_radius(entry, scene(kBlockPathScene).joint); std::isfinite(radius))
+    return {c3_finding(entry, "arc_length")
+                .left_out(
+                    fmt::format("refused beyond {:.3g} rad, where its energy ceases to be convex", radius))};
   const auto& [continuation, path] = skewed_path(entry);
   return {against_load_steps(entry, continuation, path), there_and_back(entry, continuation, path),
           coarse(entry, continuation, path, true), coarse(entry, continuation, path, false)};

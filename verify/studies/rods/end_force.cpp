@@ -60,6 +60,7 @@ Scene joint_scene(double share, Where where) {
   k << kStretching[0] / kLength, 1 / (cube / (12 * kBending[2]) + kLength / kStretching[1]),
       1 / (cube / (12 * kBending[1]) + kLength / kStretching[2]), kBending / kLength;
   out.joint.law = reference::LinearSpec{Eigen::MatrixXd(k.asDiagonal()), false};
+  out.joint.length = kLength;
   out.joint.a.o = {kLength / 2, 0, 0};
   out.joint.b.o = {-kLength / 2, 0, 0};
   out.loads = {{reference::LoadType::fixed_force, share * kDirection, arm(where)}};

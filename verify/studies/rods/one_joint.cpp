@@ -4,7 +4,7 @@
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/effort.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stability/critical.hpp"
 #include "reference/truth/rod/critical.hpp"
@@ -59,11 +59,13 @@ Followed followed(const Entry& entry) {
   const SkewMoment& truth = skew_moment();
   const Scene& block = scene("c3_buckling");
   reference::Path<double> path(block, entry, entry.probe_xi);
+  const double radius = reference::convex_radius(entry, block.joint);
   Followed out;
   for (std::size_t i = 0; i < truth.moment.size(); ++i) {
     const auto& state = path.advance(truth.moment[i]);
     if (!arrived(state)) break;
     const Vec3<double> theta = so3::log<double>(path.node().R);
+    if (theta.norm() > radius) break;  // refused from here on
     out.error.push_back((theta - truth.rod[i]).norm() / truth.rod_angle[i]);
   }
   out.error.resize(truth.moment.size(), kLost);

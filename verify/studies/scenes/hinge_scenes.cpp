@@ -85,7 +85,7 @@ using Measure = std::function<Real50(const Real50&)>;
 Measure measure_of(std::string_view formulation) {
   constexpr std::string_view kRotationVector[] = {"attached_a", "attached_b",  "invariant", "intrinsic",
                                                   "potential",  "field_a",     "field_b",   "simbody_xyz",
-                                                  "drake_rpy",  "chrono_body", "rod4",      "rod34"};
+                                                  "drake_rpy",  "chrono_body", "rod4"};
   for (const auto name : kRotationVector)
     if (formulation == name) return [](const Real50& t) { return t; };
   // Of the others the strain e(t) and de/dt: the moment is their product.

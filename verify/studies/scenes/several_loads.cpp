@@ -42,7 +42,7 @@ Eigen::Matrix<T, 6, 1> imbalance(const Entry& entry, const Scene& scene, const S
                                  const Pose<T>& node) {
   const Pose<T> clamped{setting.frame_shift.cast<T>(), so3::exp<T>(setting.frame_turn.cast<T>())};
   JointSpec spec = scene.joint;
-  if (setting.nodes_exchanged) std::swap(spec.a, spec.b);
+  if (setting.nodes_exchanged) std::swap(spec.a, spec.b), spec.axis = -spec.axis;
   const auto q = setting.nodes_exchanged
                      ? reference::node_loads<T>(entry, spec, node, clamped, false).q.eval()
                      : reference::node_loads<T>(entry, spec, clamped, node, false).q.eval();

@@ -98,6 +98,9 @@ double distance(const std::vector<std::complex<double>>& some,
 
 /// Where no force acts, the six modes are those of the linear and those of the angular joint.
 Finding six_modes(const Entry& entry, Kind kind, Draft f) {
+  if (entry.needs_length)
+    return f.left_out(
+        "its rod's rotations and displacements are coupled beyond the linear order: no six modes fall apart");
   const BodyInertia body{"1:2:2.5", {1, 2, 2.5}, 4};
   const MomentSetting setting{MomentType::follower, false};
   Measurement worst;
