@@ -1,4 +1,5 @@
 // A follower thrust does work around a loop: only motion tells whether the rod is stable under it.
+#include "reference/record/worst.hpp"
 #include "reference/truth/rod/critical.hpp"
 
 #include <cmath>
@@ -8,13 +9,18 @@ namespace halfway::reference::rod {
 
 Flutter follower_flutter(const Rod& rod, double mass_per_length, Flutter near) {
   constexpr int kPlane[] = {1, 5};
-  const auto value = [&](double P, double frequency) {
-    const Vec3<double> n(-P, 0, 0);
-    const double inertia = mass_per_length * frequency * frequency;
-    const Changes transfer = carried(rod, n, Vec3<double>::Zero(), inertia).changes;
-    return determinant(clamped(), transfer, free_end(of_fixed_moment(), -skew(n)), kPlane);
+  const auto value = [&](int finer) {
+    return [&, finer](double P, double frequency) {
+      const Vec3<double> n(-P, 0, 0);
+      const double inertia = mass_per_length * frequency * frequency;
+      const Changes transfer = carried(rod, n, Vec3<double>::Zero(), finer, inertia).changes;
+      return determinant(clamped(), transfer, free_end(of_fixed_moment(), -skew(n)), kPlane);
+    };
   };
-  return flutter(value, near);
+  Flutter out = flutter(value(kFiner), near);
+  const Flutter coarse = flutter(value(1), out);
+  out.error = larger(std::abs(coarse.load / out.load - 1), std::abs(coarse.frequency / out.frequency - 1));
+  return out;
 }
 
 namespace {
@@ -37,7 +43,7 @@ Flutter flutter(const std::function<double(double, double)>& f, Flutter near) {
   // some three digits, which is how many an iteration adds.
   constexpr int kTimes = 30;
   for (int i = 0; i < kTimes; ++i) {
-    const auto [P, w] = near;
+    const double P = near.load, w = near.frequency;
     const double h = 0.02 * w, h_P = 0.01 * P;
     const double here = f(P, w), by_w = slope(f, near, h);
     const double by_P = (f(P + h_P, w) - f(P - h_P, w)) / (2 * h_P);
@@ -47,7 +53,7 @@ Flutter flutter(const std::function<double(double, double)>& f, Flutter near) {
     const double determinant_of_both = by_P * by_ww - by_w * by_wP;
     const double dP = (by_w * by_w - here * by_ww) / determinant_of_both;
     const double dw = (here * by_wP - by_P * by_w) / determinant_of_both;
-    near = {P + dP, w + dw};
+    near = {.load = P + dP, .frequency = w + dw};
     if (std::abs(dP / P) + std::abs(dw / w) < 1e-13) return near;
   }
   throw std::runtime_error("rod: no two frequencies meet near the load and the frequency given");

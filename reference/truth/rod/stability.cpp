@@ -81,10 +81,10 @@ double determinant(const End& start, const Changes& transfer, const End& end, st
   return lu_determinant<double>(some);
 }
 
-Arrival carried(const Rod& rod, const Vec3<double>& n, const Vec3<double>& m, double inertia) {
+Arrival carried(const Rod& rod, const Vec3<double>& n, const Vec3<double>& m, int finer, double inertia) {
   const State start{.m = m};
-  // The changes vary as fast as the state, and where it is straight they alone do.
-  return flow(rod, start, n, Changes::Identity(12, 12), 2 * enough_steps(rod, start, n), inertia);
+  const int steps = finer * enough_steps(rod, start, n);
+  return flow(rod, start, n, Changes::Identity(12, 12), steps, inertia);
 }
 
 }  // namespace halfway::reference::rod

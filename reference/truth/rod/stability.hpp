@@ -8,6 +8,8 @@
 
 namespace halfway::reference::rod {
 
+inline constexpr int kFiner = 2;  ///< what is answered; its error is what enough_steps() alone change
+
 /// One end of the rod, three columns or rows of its place, then three of its orientation, by global axes.
 struct End {
   Eigen::Matrix<double, 12, 6> admitted;  ///< changes that an end at s = 0 allows
@@ -37,11 +39,11 @@ End fork(const State& at);
 double determinant(const End& start, const Changes& transfer, const End& end, std::span<const int> kept);
 
 inline constexpr int kAll[] = {0, 1, 2, 3, 4, 5};
-inline constexpr int kLateral[] = {1, 2, 4, 5};  ///< of a straight rod
-inline constexpr int kInPlane[] = {0, 1, 5};     ///< of the plane 1, 2
-inline constexpr int kOutOfPlane[] = {2, 3, 4};
+inline constexpr int kOutOfPlane[] = {2, 3, 4};  ///< of a state in the plane 1, 2
 
 /// All changes at the clamp carried to the tip of a rod that carries n and m at the clamp.
-Arrival carried(const Rod& rod, const Vec3<double>& n, const Vec3<double>& m, double inertia = 0);
+/// @param finer  times enough_steps()
+Arrival carried(const Rod& rod, const Vec3<double>& n, const Vec3<double>& m, int finer = kFiner,
+                double inertia = 0);
 
 }  // namespace halfway::reference::rod

@@ -1,7 +1,6 @@
 // A straight rod under a torque: both lateral directions as one complex number.
 #include "reference/truth/rod/critical.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -38,11 +37,11 @@ Pair ends_of(TorqueEnds ends, const Vec3<double>& m) {
 
 }  // namespace
 
-Complex torque_determinant(const Rod& rod, TorqueEnds ends, double M, double P) {
+Complex torque_determinant(const Rod& rod, TorqueEnds ends, double M, double P, int finer) {
   const Vec3<double> m(M, 0, 0);
   const Pair pair = ends_of(ends, m);
   const Eigen::Matrix<double, 6, 6> all =
-      pair.end.demanded * (carried(rod, {-P, 0, 0}, m).changes * pair.start.admitted);
+      pair.end.demanded * (carried(rod, {-P, 0, 0}, m, finer).changes * pair.start.admitted);
   // What turns with the rod about its axis commutes with i: columns 2 and 5 alone tell it.
   const auto entry = [&](int i, int j) { return Complex(all(i, j), all(i + 1, j)); };
   return entry(1, 1) * entry(4, 4) - entry(1, 4) * entry(4, 1);
@@ -64,8 +63,11 @@ double minimum(const std::function<Complex(double)>& f, double M, double h) {
 
 }  // namespace
 
-double critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, double high) {
-  const auto f = [&](double M) { return torque_determinant(rod, ends, M, P); };
+Critical critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, double high) {
+  const auto with = [&](int finer) {
+    return [&, finer](double M) { return torque_determinant(rod, ends, M, P, finer); };
+  };
+  const auto f = with(kFiner);
   constexpr int kSamples = 12;
   constexpr double kNothing = 1e-10;  // of |f| a sample away: rounding leaves 1e-14
   const double step = (high - low) / kSamples;
@@ -74,12 +76,14 @@ double critical_torque(const Rod& rod, TorqueEnds ends, double P, double low, do
     const double after = std::abs(f(low + i * step));
     if (here <= before && here <= after) {
       const double M = minimum(f, low + (i - 1) * step, 1e-4 * step);
-      if (std::abs(f(M)) < kNothing * before) return M;
+      const bool is_zero = std::abs(f(M)) < kNothing * before;
+      if (is_zero) return {M, std::abs(M - minimum(with(1), M, 1e-4 * step))};
     }
     before = here;
     here = after;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return {none, none};
 }
 
 }  // namespace halfway::reference::rod

@@ -79,7 +79,7 @@ constexpr Shown kShown[] = {
     {"*/linear_angular/assembly", "mutants/assembly_doubled_joint"},
     {"rods/law/third_order", "mutants/third_order_without_stiffness_term"},
     {"rods/law/taper_xi", "mutants/one_xi_for_a_taper"},
-    {"rods/critical/strips", "mutants/fork_factor_for_tip_force"},
+    {"rods/critical/tip_force", "mutants/fork_factor_for_tip_force"},
     {"chains/*/order", "mutants/chain_joints_at_ends"},
     {"chains/*/order", "mutants/chain_half_a_link_too_long"},
     {"chains/*/order", "mutants/chain_loads_follow"},

@@ -75,13 +75,32 @@ rod::Rod straight_rod(double length, const Vec3<double>& bending) {
   return out;
 }
 
-Finding critical_finding(const std::string& name, const Measurement& worst) {
-  return rod_finding("critical/" + name)
-      .measured(worst)
-      .in("relative")
-      .at_most(1e-12,
-               "closed forms: rounding of some hundred steps over the slope of the determinant at its zero")
-      .by(Oracle::closed_form);
+void CriticalLoads::against(const rod::Critical& found, double exact, const std::string& where) {
+  apart.include(relative(found.load, exact), where);
+  error_bars.include(tapped(found.error / found.load), where);
+}
+
+void CriticalLoads::against(const rod::Critical& found, const std::string& kept, const std::string& where) {
+  digits.include(digits_apart(found.load, kept), where);
+  error_bars.include(tapped(found.error / found.load), where);
+}
+
+std::vector<Finding> findings_of(const std::string& name, const CriticalLoads& loads) {
+  std::vector<Finding> out;
+  const auto limit = [&](const std::string& which, const Measurement& m, double most, const char* why,
+                         Oracle oracle) {
+    out.push_back(
+        rod_finding("critical/" + name + which).measured(m).in("relative").at_most(most, why).by(oracle));
+  };
+  if (!loads.apart.is_empty())
+    limit("", loads.apart, 1e-12,
+          "closed forms: rounding of some hundred steps over the slope of the determinant at its zero",
+          Oracle::closed_form);
+  if (!loads.digits.is_empty()) out.push_back(digits_finding("critical/" + name + "/digits", loads.digits));
+  limit("/error_bar", loads.error_bars, 1e-12,
+        "half the steps: order 8 leaves 256 times the error of the steps taken, which is at rounding",
+        Oracle::independent);
+  return out;
 }
 
 double relative(double a, double b) { return std::abs(tapped(a) / b - 1); }

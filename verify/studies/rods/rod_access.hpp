@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/record/worst.hpp"
-#include "reference/truth/rod/rod.hpp"
+#include "reference/truth/rod/critical.hpp"
 #include "verify/check.hpp"
 
 #include <nlohmann/json.hpp>
@@ -47,8 +47,17 @@ Vec3<double> rotation_of(const Mat3<double>& R);
 /// @param bending  (GJ, EI2, EI3), N m^2; infinite where it is rigid
 reference::rod::Rod straight_rod(double length, const Vec3<double>& bending);
 
-/// A critical load by the rod's determinants, relative to the closed form.
-Finding critical_finding(const std::string& name, const Measurement& worst);
+/// Critical loads of one kind by the rod's determinants, on their way into a check.
+struct CriticalLoads {
+  Measurement apart;       ///< from closed forms, relative
+  Measurement error_bars;  ///< that they state of themselves, relative
+  Measurement digits;      ///< from kept values
+
+  void against(const reference::rod::Critical& found, double exact, const std::string& where);
+  void against(const reference::rod::Critical& found, const std::string& kept, const std::string& where);
+};
+/// What was measured of them: name, name/error_bar and name/digits below "rods/critical/".
+std::vector<Finding> findings_of(const std::string& name, const CriticalLoads& loads);
 
 /// |a/b - 1| of a value a on its way into a check.
 double relative(double a, double b);

@@ -43,7 +43,7 @@ Measurement taper_defect(bool has_one_xi) {
 /// does not tell by how much that helps.
 Measurement tip_force_defect(bool by_fork_factor) {
   const rod::Rod r = straight_rod(1, {0.65, 1, 10});
-  const double found = critical_tip_force(r, 6);
+  const double found = critical_tip_force(r, 6).load;
   const double factor = 1 / std::sqrt((1 - 1 / 10.) * (1 - 0.65 / 10));
   const double kept = std::stod(kept_rods().at("tip_force").at("rows").at(1).at(1).get<std::string>());
   const double law = by_fork_factor ? factor * rod::closed::tip_force(1, 0.65, 1) : kept;
@@ -59,7 +59,7 @@ void rod_mutants(Checks& checks) {
   add_mutant(checks, "one_xi_for_a_taper", "rods/law/taper_xi", 1e-4, [] {
     return std::pair{taper_defect(true), taper_defect(false)};
   });
-  add_mutant(checks, "fork_factor_for_tip_force", "rods/critical/strips", 1e-9, [] {
+  add_mutant(checks, "fork_factor_for_tip_force", "rods/critical/tip_force", 1e-9, [] {
     return std::pair{tip_force_defect(true), tip_force_defect(false)};
   });
 }

@@ -10,6 +10,8 @@
 namespace halfway::verify {
 namespace {
 
+namespace rod = reference::rod;
+
 /// Body components of m at the tip over the skew, skew -> 0: Euler's equations linearised about axis 1,
 /// (u sinh(r L) (C1 - C3)/r, cosh(r L)) with the rate r = M sqrt((C2 - C1)(C1 - C3)); of an extreme axis cos
 /// and sin.

@@ -20,23 +20,20 @@ rod::Rod shaft() { return straight_rod(kShaftLength, {0.8, kShaft, kShaft}); }
 
 std::vector<Finding> torques() {
   const rod::Rod r = shaft();
-  Measurement hinged, clamped, digits;
+  CriticalLoads loads;
   for (const TorqueEnds ends : {TorqueEnds::hinged_fixed, TorqueEnds::hinged_follower}) {
     for (const double P : {0., 2.5}) {
       const double exact = closed::greenhill_hinged(kShaft, kShaftLength, P);
-      hinged.include(
-          relative(critical_torque(r, ends, P, 0.5 * exact, 1.3 * exact), exact),
-          fmt::format("thrust {}, {}", P, ends == TorqueEnds::hinged_fixed ? "fixed" : "follower"));
+      loads.against(
+          critical_torque(r, ends, P, 0.5 * exact, 1.3 * exact), exact,
+          fmt::format("hinged, thrust {}, {}", P, ends == TorqueEnds::hinged_fixed ? "fixed" : "follower"));
     }
   }
   const double exact = closed::greenhill_clamped(kShaft, kShaftLength);
-  clamped.include(relative(critical_torque(r, TorqueEnds::clamped, 0, 0.6 * exact, 1.1 * exact), exact),
-                  "clamped");
-  digits.include(
-      digits_apart(closed::greenhill_clamped(1, 1), kept_rods().at("closed").at("greenhill_clamped")),
-      "greenhill");
-  return {critical_finding("torque/hinged", hinged), critical_finding("torque/clamped", clamped),
-          digits_finding("critical/torque/digits", digits)};
+  loads.against(critical_torque(r, TorqueEnds::clamped, 0, 0.6 * exact, 1.1 * exact), exact, "clamped");
+  const std::string kept = kept_rods().at("closed").at("greenhill_clamped");
+  loads.digits.include(digits_apart(closed::greenhill_clamped(1, 1), kept), "clamped");
+  return findings_of("torque", loads);
 }
 
 /// The rod's determinant is that of the closed form, whose two terms have moduli 1 + M^2/2 and sqrt(1 + M^2),
@@ -61,7 +58,11 @@ std::vector<Finding> no_torque() {
       apart.include(std::abs(size / closed::torque_determinant(c.ends, M) - 1), fmt::format("{} N m", M));
       least.include((is_hinged ? bound : 1) / size, fmt::format("{} N m", M));
     }
-    out.push_back(critical_finding(std::string("none/") + c.name, apart));
+    out.push_back(rod_finding(std::string("critical/none/") + c.name)
+                      .measured(apart)
+                      .in("relative")
+                      .at_most(1e-12, "rounding of some hundred steps")
+                      .by(Oracle::closed_form));
     out.push_back(rod_finding(std::string("critical/none/") + c.name + "/bound")
                       .measured(least)
                       .in("of the determinant")
