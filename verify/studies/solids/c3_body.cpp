@@ -19,6 +19,9 @@ namespace fe = reference::fe;
 /// Of an even mesh: twice the exponent 0.711 at the edges of a held face.
 constexpr double kEvenOrder = 1.42;
 
+/// Error bars over |theta|: wider ones tell no joint from another.
+constexpr double kWorthDrawing = 0.05;
+
 fe::BlockPath spoilt(fe::BlockPath path) {
   path.compliance = tapped(path.compliance);
   for (auto* points : {&path.rising, &path.turned}) {
@@ -114,8 +117,10 @@ std::vector<BodyPoint> body_curve(fe::SolidLaw law, fe::ElementKind element) {
     const auto& finest = meshes.back()->rising;
     at.determinant = finest[i].determinant / finest.front().determinant;
     at.lowest = finest[i].stiffness[0];
+    if (!(at.error() <= kWorthDrawing) && !std::isnan(at.error())) break;
     out.push_back(at);
   }
+  if (out.empty()) throw std::runtime_error("the meshes of C3's block do not agree at any moment");
   return out;
 }
 
@@ -128,7 +133,9 @@ double moment_within(const std::vector<Departure>& list, double Departure::*what
   double last_moment = 0, last = 0;
   for (const Departure& d : list) {
     if (!(d.*what <= limit))
-      return last_moment + (d.moment - last_moment) * (limit - last) / (d.*what - last);
+      return last_moment == 0 && d.*what > limit
+                 ? 0
+                 : last_moment + (d.moment - last_moment) * (limit - last) / (d.*what - last);
     last_moment = d.moment;
     last = d.*what;
   }

@@ -29,7 +29,8 @@ struct BodyPoint {
   double error() const;  ///< |error bars| / |theta|
 };
 
-/// Up to the last moment that all three meshes reach.
+/// Up to the last moment that all three meshes reach, and while the error bars are below 5 % of |theta|.
+/// Throws std::runtime_error where no point is left.
 std::vector<BodyPoint> body_curve(reference::fe::SolidLaw law, reference::fe::ElementKind element);
 
 /// How far a joint is from the body.

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 namespace halfway::reference::fe {
@@ -155,6 +156,9 @@ BlockPath follow_block(const BlockMesh& mesh, const Vec3<double>& direction) {
 std::optional<BlockLimit> limit_of(const BlockPath& path) {
   std::vector<BlockPoint> all = path.rising;
   all.insert(all.end(), path.turned.begin(), path.turned.end());
+  for (const BlockPoint& p : all) {
+    if (std::isnan(p.moment)) return BlockLimit{p.moment, p.moment};
+  }
   const auto top = std::ranges::max_element(all, {}, &BlockPoint::moment);
   if (all.size() < 3 || top == all.begin() || top + 1 == all.end()) return {};
   // Newton's divided differences through the neighbours.

@@ -42,7 +42,7 @@ Mesh block_mesh(const BlockMesh& mesh);
 BlockPath follow_block(const BlockMesh& mesh, const Vec3<double>& direction);
 
 /// The largest moment of a path, N m, and theta_1 (rad) there, by the parabola through its three highest
-/// neighbours; nothing where the path does not pass a maximum.
+/// neighbours; nothing where the path does not pass a maximum; NaN where a moment is.
 struct BlockLimit {
   double moment, theta_1;
 };
