@@ -4,6 +4,7 @@
 #include "reference/truth/fe/cholesky.hpp"
 #include "reference/truth/fe/solid.hpp"
 
+#include <optional>
 #include <string>
 
 namespace halfway::reference::fe {
@@ -18,6 +19,7 @@ struct Load {
 
 struct Equilibrium {
   State state;
+  double factor = 1;  ///< of the load
   bool converged = false;
   int iterations = 0;
   double update = 0;           ///< last relative change
@@ -34,6 +36,14 @@ class Statics {
   /// Newton from `start` until the update no longer shrinks; refuses a result coarser than 1e-8. The tangent
   /// is factored again only where the last one gains less than a digit per iteration.
   Equilibrium solve(SolidLaw law, const Load& load, const State& start);
+  /// The same where the face's theta_1 is given (rad, in (-pi, pi)) and the factor of the load is sought: it
+  /// passes limits of the load. start: the state and the factor of the load that Newton begins at.
+  Equilibrium turn(SolidLaw law, const Load& load, double theta_1, const Equilibrium& start);
+
+  /// What the load on the face has to change by per (dx, dw) of the face, the interior in equilibrium and the
+  /// load's own change taken off: N/m, N, N m/rad. Singular where the load is critical; none where the
+  /// interior's stiffness is not positive definite.
+  std::optional<Mat6> condensed(SolidLaw law, const Load& load, const State& state);
 
   /// The six first-order fields: the face's compliance and every node's displacement for a unit load each.
   struct Linear {
@@ -44,6 +54,9 @@ class Statics {
   Linear linear();
 
  private:
+  Equilibrium iterate(SolidLaw law, const Load& load, const Equilibrium& start,
+                      std::optional<double> theta_1);
+
   const Solid& solid_;
   Cholesky cholesky_;
 };

@@ -1,16 +1,10 @@
 #include "reference/truth/fe/studies/curves.hpp"
 
+#include "reference/truth/fe/studies/vectors.hpp"
+
 #include <chrono>
 
 namespace halfway::reference::fe {
-namespace {
-
-nlohmann::json triple(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
-Vec3<double> vector(const nlohmann::json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-}  // namespace
 
 SolidCurve follow(const Body& body, const Vec3<double>& joint_point, SolidLaw law, ElementKind element,
                   int level, const Load& load, double factor_end, int points) {

@@ -28,6 +28,7 @@ std::vector<Study> make_studies() {
        "block", 4, 6}};
   for (const CurvePlan& plan : curves) list.push_back(curve_study(plan));
   list.push_back(bearing_study());
+  list.push_back(c3_block_study());
   list.push_back(newton_cost_study());
   list.push_back(calculix_study());
   list.push_back(shapes_study());

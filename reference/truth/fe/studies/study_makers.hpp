@@ -32,6 +32,9 @@ Study bearing_study();
 /// std::runtime_error while the study is not kept.
 Body fitted_bearing();
 
+/// The block under C3's moment, fixed in direction: paths up to their limits and past them.
+Study c3_block_study();
+
 /// Nonlinear solves over meshes (Newton, factors kept while they gain a digit): time and memory.
 Study newton_cost_study();
 /// CalculiX on the same meshes: xi and time.
