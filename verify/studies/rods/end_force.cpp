@@ -17,15 +17,15 @@ namespace rod = reference::rod;
 const Vec3<double> kBending{0.8, 1, 4};                    ///< GJ, EI2, EI3, N m^2
 const Vec3<double> kStretching = {1e8, 1e8, 1e8};          ///< EA, GA2, GA3, N: slender
 const Vec3<double> kDirection = Vec3<double>(-1, 0.4, 1);  ///< N, skew to every axis of the section
-constexpr double kLength = 1;                              ///< m
+constexpr double kRodLength = 1;                              ///< m
 
 /// From the tip back to where the force acts, axes of the tip's section, m.
-Vec3<double> arm(Where where) { return {where == Where::tip ? 0 : -kLength / 2, 0, 0}; }
+Vec3<double> arm(Where where) { return {where == Where::tip ? 0 : -kRodLength / 2, 0, 0}; }
 
 /// A force at an arm that turns with the tip is a force and a moment of it, which is only known with the
 /// tip's rotation: repeated until that stays, each time closer by the angle.
 Mat3<double> rod_tip(const Vec3<double>& force, Where where) {
-  const rod::Rod straight{kLength, rod::of_stiffness(kBending, kStretching), {}, {}};
+  const rod::Rod straight{kRodLength, rod::of_stiffness(kBending, kStretching), {}, {}};
   Mat3<double> R = Mat3<double>::Identity();
   for (int i = 0; i < 60; ++i) {
     rod::Loads loads;
@@ -56,13 +56,13 @@ Scene joint_scene(double share, Where where) {
   Scene out;
   out.joint.kind = Kind::linear_angular;
   Eigen::VectorXd k(6);
-  const double cube = kLength * kLength * kLength;
-  k << kStretching[0] / kLength, 1 / (cube / (12 * kBending[2]) + kLength / kStretching[1]),
-      1 / (cube / (12 * kBending[1]) + kLength / kStretching[2]), kBending / kLength;
+  const double cube = kRodLength * kRodLength * kRodLength;
+  k << kStretching[0] / kRodLength, 1 / (cube / (12 * kBending[2]) + kRodLength / kStretching[1]),
+      1 / (cube / (12 * kBending[1]) + kRodLength / kStretching[2]), kBending / kRodLength;
   out.joint.law = reference::LinearSpec{Eigen::MatrixXd(k.asDiagonal()), false};
-  out.joint.length = kLength;
-  out.joint.a.o = {kLength / 2, 0, 0};
-  out.joint.b.o = {-kLength / 2, 0, 0};
+  out.joint.length = kRodLength;
+  out.joint.a.o = {kRodLength / 2, 0, 0};
+  out.joint.b.o = {-kRodLength / 2, 0, 0};
   out.loads = {{reference::LoadType::fixed_force, share * kDirection, arm(where)}};
   return out;
 }

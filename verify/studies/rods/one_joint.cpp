@@ -195,7 +195,7 @@ const std::vector<SemiTangential>& semi_tangential() {
     std::vector<SemiTangential> out;
     const auto add = [&](const char* name, const Vec3<double>& k) {
       const double high = 4 * (k.sum() - k.minCoeff() - k.maxCoeff());
-      out.push_back({name, k, rod::critical_semi_tangential(rod_of(k), 0, high)});
+      out.push_back({name, k, rod::critical_semi_tangential(rod_of(k), 0, high).load});
     };
     add("c3", block_stiffness());
     add("2:1:3", {2, 1, 3});
