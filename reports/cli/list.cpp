@@ -1,6 +1,6 @@
 // halfway list: what can be run.
 #include "reference/face/registry.hpp"
-#include "reference/scene/scene.hpp"
+#include "reference/scene/chain_scene.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/streams.hpp"
 
@@ -39,11 +39,11 @@ void list_types() {
     print(fmt::format("{:<17} halfway::{:<17} <{}>\n", entry.name, entry.type, entry.header));
 }
 
-void list_scenes() {
-  const auto scenes = reference::canonical_scenes();
+template <class AScene>
+void list_scenes(const char* what, const std::filesystem::path& folder, const std::vector<AScene>& scenes) {
   std::size_t width = 0;
   for (const auto& scene : scenes) width = std::max(width, scene.name.size());
-  print(fmt::format("\nScenes (in {}):\n", printable(reference::scenes_folder().string())));
+  print(fmt::format("\n{} (in {}):\n", what, printable(folder.string())));
   for (const auto& scene : scenes)
     print(fmt::format("  {:<{}}  {}\n", scene.name, width, printable(scene.title)));
 }
@@ -64,7 +64,9 @@ void add_list(CLI::App& app) {
   command->callback([types] {
     if (*types) return list_types();
     list_formulations();
-    list_scenes();
+    list_scenes("Scenes", reference::scenes_folder(), reference::canonical_scenes());
+    if (const auto chains = reference::chain_scenes(); !chains.empty())
+      list_scenes("Scenes of chains", reference::scenes_folder() / "chains", chains);
     list_programs();
   });
 }

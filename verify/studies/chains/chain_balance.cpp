@@ -97,8 +97,8 @@ Finding judged_balance(const Entry& entry, const std::string& what, const chain:
 std::vector<Finding> held(const Entry& entry) {
   const chain::Chain c = generic(entry, chain::NodeOrder::root_first).first;
   Pose<double> last = chain::pose(chain::at_rest(c).back());
-  last.x += Vec3<double>(-0.1, 0.2, 0.05);
-  last.R = so3::exp<double>({0.3, -0.5, 0.4}) * last.R;
+  last.x += Vec3<double>(-0.05, 0.1, 0.03);
+  last.R = so3::exp<double>({0.2, -0.3, 0.25}) * last.R;
   chain::Settings settings;
   settings.load_steps = 4;
   const chain::Held found = chain::solve_held(c, last, settings);
