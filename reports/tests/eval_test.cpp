@@ -47,6 +47,7 @@ reference::JointSpec spec_of(const json& request, Kind kind) {
   reference::JointSpec spec;
   spec.kind = kind;
   spec.xi = request.value("xi", 0.5);
+  spec.length = request.value("length", 1.0), spec.axis = request.value("axis", 1);
   const json& law = request["law"];
   if (law["type"] == "linear")
     spec.law = reference::LinearSpec{matrix_of(law["K"]), false};

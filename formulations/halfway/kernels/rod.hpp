@@ -1,5 +1,5 @@
-// The kernels of rod4 and rod34: potential's, asked with laws that ask the joint's own (systems/rod_law.hpp
-// has their equations).
+// The kernels of rod4 and rod34: potential's, asked with laws that ask the joint's own
+// (halfway/systems/rod_law.hpp has their equations).
 #pragma once
 
 #include "halfway/kernels/dual.hpp"

@@ -1,5 +1,5 @@
-// The strains of a slender straight rod, for the kernel of rod34 (systems/rod_law.hpp has their equations):
-// in the rod's axes x along it, y and z.
+// The strains of a slender straight rod, for the kernel of rod34 (halfway/systems/rod_law.hpp has their
+// equations): in the rod's axes x along it, y and z.
 #pragma once
 
 #include "halfway/joint/parameters.hpp"

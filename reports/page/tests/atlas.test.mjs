@@ -47,3 +47,16 @@ test('small rotations are safe from a bound on', () => {
   const {x} = at(failure.rows[0].limits, 1e-6);
   assert.ok(x > 1e-8 && x < 1e-4);
 });
+
+test('energies that are series have a row with the rotation at which they are refused', () => {
+  const convexity = [{formulation: 'a', radius: 1.69, says: 'a: rotation of 3.38 rad is beyond'}];
+  const range = {convexity, conditioning: [], refusals: [], large_rotation: []};
+  const failures = failuresOf({stability: {range}});
+  assert.deepEqual(
+    failures.map((f) => f.key),
+    ['convexity']
+  );
+  assert.deepEqual(failures[0].rows[0].limits, [{x: 1.69}]);
+  assert.equal(failures[0].rows[0].message, convexity[0].says);
+  assert.deepEqual(failuresOf({stability: {range: {...range, convexity: undefined}}}), []);
+});
