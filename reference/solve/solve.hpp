@@ -38,8 +38,8 @@ struct Choice {
 /// order, one with a free xi at each of the scene's.
 std::vector<Choice> choices(const SceneHead& scene, const std::function<bool(const Entry&)>& accepts);
 
-/// What a scene of a joint asks for: the linear analysis last; formulations that refuse its law (accepts_law), or
-/// need a length that it does not say, are left out.
+/// What a scene of a joint asks for: the linear analysis last; formulations that refuse its law
+/// (accepts_law), or need a length that it does not say, are left out.
 std::vector<Choice> choices(const Scene& scene);
 
 /// Who is told of each point of a path as it is reached: (points reached, points asked for).

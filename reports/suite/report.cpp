@@ -140,7 +140,7 @@ void report(const ReportOptions& options) {
   results.paper = paper_record();
   results.solids = solids_record();
   for (auto& curve : solid_reference_curves()) results.paper["reference_curves"].push_back(std::move(curve));
-  results.paper["reference_curves"].push_back(rod_reference_curve());
+  for (auto& curve : c3_reference_curves()) results.paper["reference_curves"].push_back(std::move(curve));
   for (const auto& missing : results.solids.at("missing")) {
     results.left_out.push_back(
         {missing.at("what"), "its kept data is missing or stale: run ./halfway reference"});

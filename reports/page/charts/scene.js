@@ -4,7 +4,7 @@ import {choice, folded, h, swatch, toggles} from '../dom.js';
 import {axisTitle, outputAxis, powerOf, rowsOf, thinned} from '../data/figures_data.js';
 import {seriesLook} from '../palette.js';
 import {Absent} from '../parts.js';
-import {SOLID_SOURCE, solidLayer, solidSeries} from './solids/solid_marks.js';
+import {isBody, solidLayer, solidSeries} from './solids/solid_marks.js';
 
 /** The paper's own systems are shown first; where a scene has none of them, all are. */
 const SHOWN_FIRST = ['attached_a', 'attached_b', 'invariant', 'intrinsic', 'jointc', 'linearized'];
@@ -127,8 +127,8 @@ function legendOf({series, solid}, title, changed) {
       ? h(
           'div',
           {class: 'controls'},
-          h('span', {class: 'label'}, SOLID_SOURCE),
-          toggles(`3D finite elements shown in ${title}`, solid, changed)
+          h('span', {class: 'label'}, 'bodies'),
+          toggles(`Bodies shown in ${title}`, solid, changed)
         )
       : null
   ];
@@ -141,7 +141,7 @@ function marksNote(references, solid) {
     sources.length ? `Diamonds: ${sources.join('; ')}. ` : '',
     solid.length
       ? [
-          'Open marks without colour: our own 3D finite elements; see ',
+          'Open marks without colour: our own 3D finite elements and rods; see ',
           h('a', {href: '#solids'}, 'the bodies'),
           '.'
         ]
@@ -173,7 +173,7 @@ export function sceneFigure(results, figure) {
   if (!curves.length) return new Absent(`no formulation has a path through ${scene.name}`);
   const name = (c) => results.series(c);
   const all = results.referencesOf(scene.name).map(thinned);
-  const references = all.filter((c) => c.source !== SOLID_SOURCE);
+  const references = all.filter((c) => !isBody(c));
   const drawn = {series: seriesOf(curves, name), solid: solidSeries(all), references, name};
   const chart = new Chart(
     id,

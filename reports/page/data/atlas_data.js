@@ -135,9 +135,7 @@ function newtonSteps(results) {
  * @param {import('../data.js').Results} results
  */
 const convexRanges = (results) =>
-  (results.stability?.range?.convexity ?? []).map((c) =>
-    limitRow(c.formulation, c.radius, c.radius, c.says)
-  );
+  (results.stability?.range?.convexity ?? []).map((c) => limitRow(c.formulation, c.radius, c.radius, c.says));
 
 /** @param {import('../data.js').Results} results */
 const refusal = (results, prefix) =>

@@ -11,7 +11,8 @@ namespace halfway::reports {
 /// @param progress  told after each part: done, of how many, which
 nlohmann::json rods_record(const std::function<void(int, int, const std::string&)>& progress);
 
-/// The rod beside the scene of C3, in the form of paper.reference_curves.
-nlohmann::json rod_reference_curve();
+/// What stands beside the joints of C3, in the form of paper.reference_curves: its body by finite elements,
+/// for the two laws that go farthest and the paper's, and the slender rod of its compliances.
+nlohmann::json c3_reference_curves();
 
 }  // namespace halfway::reports

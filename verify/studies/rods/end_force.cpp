@@ -17,7 +17,7 @@ namespace rod = reference::rod;
 const Vec3<double> kBending{0.8, 1, 4};                    ///< GJ, EI2, EI3, N m^2
 const Vec3<double> kStretching = {1e8, 1e8, 1e8};          ///< EA, GA2, GA3, N: slender
 const Vec3<double> kDirection = Vec3<double>(-1, 0.4, 1);  ///< N, skew to every axis of the section
-constexpr double kRodLength = 1;                              ///< m
+constexpr double kRodLength = 1;                           ///< m
 
 /// From the tip back to where the force acts, axes of the tip's section, m.
 Vec3<double> arm(Where where) { return {where == Where::tip ? 0 : -kRodLength / 2, 0, 0}; }

@@ -43,9 +43,7 @@ double error_at(const Followed& followed, double moment) {
 }
 
 /// Half a unit of the last of two digits, at least of the fourth decimal.
-double half_unit(double x) {
-  return x == 0 ? 0 : 0.5 * std::max(1e-4, std::pow(10, std::floor(std::log10(x)) - 1));
-}
+double half_unit(double x) { return x < 1e-2 ? 5e-5 : 0.5 * std::pow(10, std::floor(std::log10(x)) - 1); }
 
 Finding skew(const Entry& entry) {
   const Followed& followed = follows_skew_moment(entry);
