@@ -15,15 +15,16 @@ struct Label {
   std::string name;  ///< unique, e.g. invariant/angular/residual
   std::string formulation;
   std::string kind;  ///< angular, linear, linear_angular
-  /// residual, residual_tangent, product (J v), assembly, equilibrium_newton, equilibrium_gsl
+  /// residual, residual_tangent, product (J v), assembly, equilibrium_newton, equilibrium_gsl,
+  /// chain_iteration, chain_solution
   std::string what;
-  /// reference (Eigen transcription), kernel, batch, assemble, textbook, competitor
+  /// reference (Eigen transcription), kernel, batch, assemble, chain, textbook, competitor
   std::string implementation = "reference";
   std::string precision = "double";  ///< double, float
   std::string isa;                   ///< instruction set of a batch: sse2, avx2, avx2vl, avx512
   std::string variant;  ///< approximation or extra of a kernel, e.g. order_2, log_10, compensated
   std::string method;   ///< of the tangent: analytic, dual, complex_step, forward, central, ...
-  int joints = 0;       ///< in one call of a batch or assembly
+  int joints = 0;       ///< in one call of a batch or assembly, or of a chain
   int threads = 0;      ///< that shared a batch
 };
 

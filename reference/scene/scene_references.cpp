@@ -1,4 +1,5 @@
 #include "reference/scene/scene_references.hpp"
+#include "reference/numbers/digits.hpp"
 
 #include "reference/scene/names.hpp"
 
@@ -32,16 +33,6 @@ double decimal(const Field& field) {
     field.refuse("is not a decimal number", allowed);
   }
   return value;
-}
-
-/// Half a unit of the last digit of a decimal text.
-double half_last_digit(const std::string& text) {
-  const auto e = text.find_first_of("eE");
-  const std::string mantissa = text.substr(0, e);
-  const int exponent = e == std::string::npos ? 0 : std::stoi(text.substr(e + 1));
-  const auto point = mantissa.find('.');
-  const int decimals = point == std::string::npos ? 0 : int(mantissa.size() - point - 1);
-  return 0.5 * std::pow(10.0, exponent - decimals);
 }
 
 /// What all values of one table share.
@@ -136,7 +127,7 @@ SceneReference read_value(const Field& field, const std::string& output, const S
   r.value = field.text();
   if (shared.by_digits) {
     r.absolute = true;
-    r.tolerance = half_last_digit(r.value);
+    r.tolerance = 0.5 * last_digit(r.value);
   } else if (number == 0 && !r.absolute) {
     field.refuse("has no relative tolerance", "absolute = true beside it, or another value");
   }

@@ -1,5 +1,8 @@
 #include "reference/chain/scenes/solve_chain_scene.hpp"
 
+#include "reference/record/worst.hpp"
+#include "reference/scene/convexity.hpp"
+
 #include <fmt/format.h>
 
 #include <string_view>
@@ -33,6 +36,29 @@ chain::Solution solved(const ChainScene& scene, const chain::Chain& chain, doubl
   return chain::solve_held(chain, *scene.held, settings).solution;
 }
 
+/// The largest rotation between neighbouring nodes, less what the rod has at rest, rad: that of a joint, up
+/// to its own frames' second order.
+double largest_turn(const std::vector<chain::Node>& nodes, const std::vector<chain::Node>& rest) {
+  double out = 0;
+  const auto between = [](const std::vector<chain::Node>& of, std::size_t i) -> Mat3<double> {
+    return chain::pose(of[i]).R.transpose() * chain::pose(of[i + 1]).R;
+  };
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    keep_largest(out, so3::log<double>(between(rest, i).transpose() * between(nodes, i)).norm());
+  return out;
+}
+
+/// What a formulation whose energy is a series has against a solution: "" for nothing.
+std::string beyond_series(const Entry& entry, const chain::Chain& chain,
+                          const std::vector<chain::Node>& nodes) {
+  if (!entry.convex_radius) return "";
+  const double h = chain.length / double(chain.links);
+  const Vec3<double> k = Vec3<double>(chain.section.GJ, chain.section.EI2, chain.section.EI3) / h;
+  const double radius = entry.convex_radius(Eigen::MatrixXd(k.asDiagonal()));
+  const double turn = largest_turn(nodes, chain::at_rest(chain));
+  return turn <= radius ? "" : "a joint's " + beyond_convexity(entry, turn, radius);
+}
+
 }  // namespace
 
 chain::EndLoads scaled(const chain::EndLoads& loads, double factor) {
@@ -62,8 +88,11 @@ ChainAnswer solve_chain_scene(const ChainScene& scene, const Choice& choice, con
     out.curve.residual = found.imbalance;
     out.curve.converged = found.converged;
     out.curve.outcome = found.outcome;
-    if (!found.converged) {
-      out.curve.outcome = fmt::format("stopped at load factor {:g}: {}", factor, found.outcome);
+    const std::string why =
+        found.converged ? beyond_series(*choice.entry, chain, found.nodes) : found.outcome;
+    if (!why.empty()) {
+      out.curve.converged = false;
+      out.curve.outcome = fmt::format("stopped at load factor {:g}: {}", factor, why);
       return out;
     }
     add_shape(scene, factor, std::move(found.nodes), found.tip_error * chain.length, out);

@@ -1,4 +1,5 @@
 // Table 1 of the paper, digit by digit, with the errata.
+#include "reference/numbers/digits.hpp"
 #include "reference/truth/data.hpp"
 #include "verify/oracle/scene_access.hpp"
 
@@ -10,10 +11,7 @@ namespace halfway::verify {
 namespace {
 
 /// Half a unit of the last digit of a printed decimal such as 0.00082223.
-double half_unit(const std::string& printed) {
-  const auto point = printed.find('.');
-  return 0.5 * std::pow(10.0, -double(printed.size() - point - 1));
-}
+double half_unit(const std::string& printed) { return 0.5 * reference::last_digit(printed); }
 
 constexpr const char* kRows[] = {"theta_x", "theta_y", "theta_z"};
 
