@@ -30,8 +30,8 @@ function randomTables(results) {
       'moment',
       'Moments of random direction',
       'Median of the turn between the ends of joint and rod over the turn of the rod, for rods of these stiffness ' +
-        'ratios at |K⁻¹m| = 0.2 and 1 rad. The moment has a random direction, so that the soft axis turns most. Of rod4 ' +
-        'and rod34 the errors are those of their equations: what solves refuses them beyond their convex range.'
+        'ratios at |K⁻¹m| = 0.2 and 1 rad. The moment has a random direction, so that the soft axis turns most. Of ' +
+        'rod4 and rod34 the errors are those of their equations: what solves refuses them beyond their convex range.'
     ),
     table(
       'turn',
@@ -53,8 +53,8 @@ function semiTangentialTable(results) {
     [formulation, ...numbers(heads)],
     crossed(columns, (row) => (isNumber(row.ratio) ? short(row.ratio, 3) : 'none')),
     'A semi-tangential moment about the axis of the rod is conservative, so that rod and joint both have a critical ' +
-      'one. 1 is right. A strip buckles laterally by a term of its energy, of fourth order in the rotation, that no ' +
-      'law of one joint had.'
+      'one. 1 is right. A strip buckles laterally by a term of its energy, of fourth order in the rotation, that ' +
+      'rod4 and rod34 alone have.'
   );
 }
 
