@@ -4,8 +4,6 @@
 #include "verify/studies/chains/chain_orders.hpp"
 #include "verify/studies/chains/chain_tangents.hpp"
 
-#include <cmath>
-
 namespace halfway::reports {
 namespace {
 
@@ -13,20 +11,18 @@ using namespace verify;
 using nlohmann::json;
 using reference::Entry;
 
-json number(double x) { return std::isfinite(x) ? json(rounded(x, 4)) : json(); }
-
 json order_row(const Entry& entry, const char* rod) {
   const ChainOrder& of = chain_order(entry, rod);
   json points = json::array();
   for (const ChainPoint& p : of.points)
     points.push_back({{"links", p.links},
-                      {"error", number(p.error())},
+                      {"error", rounded(p.error(), 4)},
                       {"iterations", p.iterations},
-                      {"ms", number(1e3 * p.seconds)}});
+                      {"ms", rounded(1e3 * p.seconds, 4)}});
   return {{"formulation", entry.name},
           {"rod", rod},
-          {"order", number(of.order)},
-          {"order_bar", number(of.order_bar)},
+          {"order", rounded(of.order, 4)},
+          {"order_bar", rounded(of.order_bar, 4)},
           {"points", points}};
 }
 
@@ -37,7 +33,7 @@ json tangent_row(const Entry& entry) {
                      {"converged", c.converged},
                      {"iterations", c.iterations},
                      {"load_steps", c.load_steps},
-                     {"ms", number(1e3 * c.seconds)}});
+                     {"ms", rounded(1e3 * c.seconds, 4)}});
   return {{"formulation", entry.name}, {"costs", costs}};
 }
 

@@ -6,7 +6,6 @@
 #include "verify/studies/rods/one_joint.hpp"
 #include "verify/studies/solids/c3_body.hpp"
 
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -17,8 +16,6 @@ using namespace verify;
 using nlohmann::json;
 using reference::Entry, reference::formulations;
 namespace fe = reference::fe;
-
-json number(double x) { return std::isfinite(x) ? json(rounded(x, 4)) : json(); }
 
 /// The load up to which the error stays within a tolerance, and how far the rod has turned there.
 json reach(const Followed& followed, double tolerance) {
@@ -50,7 +47,7 @@ json random_record() {
     for (const Entry& entry : formulations()) {
       const Spread& s = error_of_random(entry, of);
       rows.push_back(
-          {{"formulation", entry.name}, {"median", number(s.median)}, {"lost", s.lost}, {"of", s.of}});
+          {{"formulation", entry.name}, {"median", rounded(s.median, 4)}, {"lost", s.lost}, {"of", s.of}});
     }
     out.push_back(
         {{"stiffness", of.name}, {"drawn", to_string(of.drawn)}, {"size", of.size}, {"rows", rows}});
@@ -64,7 +61,8 @@ json semi_tangential_record() {
     json rows = json::array();
     for (const Entry& entry : formulations()) {
       const auto& load = critical_of(entry, of);
-      rows.push_back({{"formulation", entry.name}, {"ratio", load ? number(*load / of.critical) : json()}});
+      rows.push_back(
+          {{"formulation", entry.name}, {"ratio", load ? json(rounded(*load / of.critical, 4)) : json()}});
     }
     out.push_back({{"stiffness", of.name}, {"rod", rounded(of.critical, 12)}, {"rows", rows}});
   }
@@ -78,8 +76,8 @@ json force_record() {
     for (const Entry& entry : formulations()) {
       const ForceErrors& errors = force_errors(entry, where);
       json error = json::array();
-      for (const double x : errors) error.push_back(number(x));
-      rows.push_back({{"formulation", entry.name}, {"error", error}, {"order", number(growth(errors))}});
+      for (const double x : errors) error.push_back(rounded(x, 4));
+      rows.push_back({{"formulation", entry.name}, {"error", error}, {"order", rounded(growth(errors), 4)}});
     }
     out.push_back({{"where", to_string(where)}, {"force", kForces}, {"rows", rows}});
   }
