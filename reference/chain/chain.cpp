@@ -66,7 +66,7 @@ Held solve_held(const Chain& chain, const Pose<double>& last, const Settings& se
   detail::State state(chain, keeps(settings));
   detail::HeldTip tip(pose(state.nodes().back()), last);
   detail::AtTip at_tip;
-  Held out{detail::newton(chain, settings, state, tip, at_tip), {}, {}};
+  Held out{detail::newton(chain, settings, state, tip, at_tip), Vec3<double>::Zero(), Vec3<double>::Zero()};
   const detail::Vec6 load = tip.load(state, 1, at_tip);
   out.force = load.head<3>();
   out.moment = load.tail<3>() - state.last_arm().cross(out.force);

@@ -35,6 +35,13 @@ struct Rod {
   std::function<Section(double s)> taper{};  ///< the section at s, smooth in s
 };
 
+/// Straight, and the same all along.
+inline Rod straight(double length, const Section& section) {
+  Rod out;
+  out.length = length, out.section = section;
+  return out;
+}
+
 /// What acts on the tip. A follower turns with the section at the tip, in whose axes it is given.
 struct Loads {
   Vec3<double> force{0, 0, 0};            ///< fixed in space, N

@@ -45,7 +45,7 @@ reference::Curve rod_curve(const Scene& scene) {
   out.formulation = "rod";
   std::vector<double> factors;
   for (int i = 0; i <= scene.points; ++i) factors.push_back(scene.factor_end * i / scene.points);
-  const reference::rod::Rod rod{1, reference::rod::of_stiffness(law.eigenvalues()), {}, {}};
+  const auto rod = reference::rod::straight(1, reference::rod::of_stiffness(law.eigenvalues()));
   // A left-handed set of axes names the same section: R = Q R' Q^T either way, with moments as axial vectors.
   const double hand = Q.determinant() < 0 ? -1 : 1;
   const auto tips = reference::rod::tips_under_moment(rod, hand * (Q.transpose() * moment), factors);

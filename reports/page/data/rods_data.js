@@ -77,6 +77,7 @@ export function crossed(columns, cell) {
 /** Words of the scenes of chains. @type {Record<string, string>} */
 const CHAINS = {
   straight_anisotropic: 'straight, anisotropic',
+  straight_slender: 'straight, slender',
   precurved_anisotropic: 'curved, anisotropic',
   bend_45_st_venant: '45° bend'
 };

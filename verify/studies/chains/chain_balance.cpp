@@ -22,7 +22,7 @@ JointEnd<double> along_curve(const Vec3<double>& curvature, double s) {
 }
 
 /// The joint at the middle of a link, its node a the one nearer to the root or the other.
-JointSpec joint_of(const chain::Chain& c) {
+JointSpec joint_of(const Entry& entry, const chain::Chain& c) {
   const double h = c.length / double(c.links);
   const chain::Section& s = c.section;
   JointSpec out;
@@ -30,6 +30,10 @@ JointSpec joint_of(const chain::Chain& c) {
   out.xi = c.xi.value_or(out.xi);
   Eigen::VectorXd k(6);
   k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
+  if (entry.needs_length) {  // the whole of its link: what bends gives way across as well, h^3/(12 EI)
+    k[1] = 1 / (1 / k[1] + h * h / (12 * s.EI3)), k[2] = 1 / (1 / k[2] + h * h / (12 * s.EI2));
+    out.length = h, out.axis = c.node_order == chain::NodeOrder::tip_first ? -1 : 1;
+  }
   out.law = reference::LinearSpec{Eigen::MatrixXd((k / h).asDiagonal())};
   out.a = along_curve(c.curvature, h / 2);
   out.b = along_curve(c.curvature, -h / 2);
@@ -42,7 +46,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// Internal loads (f, m) on each node, less what acts on the last one.
 std::vector<Vec6> imbalances(const Entry& entry, const chain::Chain& c, const chain::EndLoads& loads,
                              const std::vector<chain::Node>& nodes) {
-  const JointSpec spec = joint_of(c);
+  const JointSpec spec = joint_of(entry, c);
   const bool root_first = c.node_order == chain::NodeOrder::root_first;
   std::vector<Vec6> out(nodes.size(), Vec6::Zero());
   for (std::size_t j = 1; j < nodes.size(); ++j) {

@@ -20,8 +20,8 @@ struct ChainRod {
 const ChainRod& chain_rod(const std::string& name);
 
 /// Those that tell an order: where torsion is as stiff as bending the order of nodes does not show.
-inline constexpr const char* kOrderRods[] = {"straight_anisotropic", "precurved_anisotropic",
-                                             "bend_45_st_venant"};
+inline constexpr const char* kOrderRods[] = {"straight_anisotropic", "straight_slender",
+                                             "precurved_anisotropic", "bend_45_st_venant"};
 
 /// All scenes of chains, read once.
 const std::vector<reference::ChainScene>& chains();

@@ -25,7 +25,7 @@ Vec3<double> arm(Where where) { return {where == Where::tip ? 0 : -kRodLength / 
 /// A force at an arm that turns with the tip is a force and a moment of it, which is only known with the
 /// tip's rotation: repeated until that stays, each time closer by the angle.
 Mat3<double> rod_tip(const Vec3<double>& force, Where where) {
-  const rod::Rod straight{kRodLength, rod::of_stiffness(kBending, kStretching), {}, {}};
+  const rod::Rod straight = rod::straight(kRodLength, rod::of_stiffness(kBending, kStretching));
   Mat3<double> R = Mat3<double>::Identity();
   for (int i = 0; i < 60; ++i) {
     rod::Loads loads;

@@ -26,7 +26,7 @@ namespace rod = reference::rod;
 constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
 
 /// One metre long, and neither stretches nor shears.
-rod::Rod rod_of(const Vec3<double>& stiffness) { return {1, rod::of_stiffness(stiffness), {}, {}}; }
+rod::Rod rod_of(const Vec3<double>& stiffness) { return rod::straight(1, rod::of_stiffness(stiffness)); }
 
 /// A joint with this law under a fixed moment: its path, and nothing that would be drawn.
 Scene moment_scene(const Vec3<double>& stiffness, const Vec3<double>& moment) {

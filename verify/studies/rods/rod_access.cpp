@@ -69,10 +69,7 @@ std::vector<KeptTip> kept_tips() {
 Vec3<double> rotation_of(const Mat3<double>& R) { return reference::closed::rotation_vector(R); }
 
 rod::Rod straight_rod(double length, const Vec3<double>& bending) {
-  rod::Rod out;
-  out.length = length;
-  out.section = rod::of_stiffness(bending);
-  return out;
+  return rod::straight(length, rod::of_stiffness(bending));
 }
 
 void CriticalLoads::against(const rod::Critical& found, double exact, const std::string& where) {

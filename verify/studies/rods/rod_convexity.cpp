@@ -159,7 +159,9 @@ std::vector<Finding> coupled(const std::string& formulation) {
       of_convexity(formulation, "coupled_law_at_rest", Kind::linear_angular)
           .measured(at_rest)
           .in("of the law's stiffness")
-          .at_most(1e-4, "differences of 1e-3 of an energy whose fourth order is a hundred times the second")
+          .at_most(5e-7,
+                   "differences of 1e-3: a twelfth of their square of an energy whose fourth order is as "
+                   "large as the second, and its rounding over that square")
           .by(Oracle::independent)};
 }
 

@@ -88,7 +88,7 @@ std::vector<Finding> orders_of_moment(const std::string& formulation, double exp
 double pose_off(const Entry& entry, double length) {
   const Vec3<double> bending(0.8, 1, 4), stretching = Vec3<double>::Constant(1e6), force(-0.5, 1.1, 0.8);
   namespace rod = reference::rod;
-  const rod::Rod truth{length, rod::of_stiffness(bending, stretching), {}, {}};
+  const rod::Rod truth = rod::straight(length, rod::of_stiffness(bending, stretching));
   rod::Loads loads;
   loads.force = force;
   const rod::Tip exact = rod::solve(truth, loads);
