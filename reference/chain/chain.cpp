@@ -18,6 +18,13 @@ void finite(const char* name, const Vec3<double>& v) {
   if (!v.allFinite()) refuse(fmt::format("{} has an entry that is not finite", name));
 }
 
+/// To what a file with nine digits can say.
+void rotation(const char* name, const Mat3<double>& R) {
+  const double off = (R.transpose() * R - Mat3<double>::Identity()).cwiseAbs().maxCoeff();
+  if (!(off < 1e-8) || !(R.determinant() > 0))
+    refuse(fmt::format("{}: R is no rotation, off by {:.1e}", name, off));
+}
+
 void validate(const Chain& c) {
   if (c.links < 1) refuse(fmt::format("{} links", c.links));
   positive("length", c.length);
@@ -25,6 +32,7 @@ void validate(const Chain& c) {
   positive("GJ", s.GJ), positive("EI2", s.EI2), positive("EI3", s.EI3);
   positive("EA", s.EA), positive("GA2", s.GA2), positive("GA3", s.GA3);
   finite("curvature", c.curvature), finite("root", c.root.x);
+  rotation("root", c.root.R);
 }
 void validate(const Settings& s) {
   if (s.load_steps < 1) refuse(fmt::format("{} load steps", s.load_steps));
@@ -54,7 +62,7 @@ Solution solve(const Chain& chain, const EndLoads& loads, const Settings& settin
 
 Held solve_held(const Chain& chain, const Pose<double>& last, const Settings& settings) {
   validate(chain), validate(settings);
-  finite("last", last.x);
+  finite("last", last.x), rotation("last", last.R);
   detail::State state(chain, keeps(settings));
   detail::HeldTip tip(pose(state.nodes().back()), last);
   detail::AtTip at_tip;

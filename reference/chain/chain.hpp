@@ -85,19 +85,22 @@ Pose<double> pose(const Node& node);
 
 struct Solution {
   std::vector<Node> nodes;  ///< 0 ... N
-  bool converged = false;
-  std::string outcome{};  ///< in words: "converged", or why not
-  int load_steps = 0;     ///< that were completed
-  int restarts = 0;       ///< of load steps, capped
+  bool converged = false;   ///< increments vanish and the imbalance is rounding (below 64)
+  std::string outcome{};    ///< in words: "converged", or why not
+  int load_steps = 0;       ///< that were completed
+  int restarts = 0;         ///< of load steps, capped
   std::vector<Iteration> iterations;
-  double imbalance = std::numeric_limits<double>::quiet_NaN();  ///< largest left, over what rounding leaves
+  /// Largest load left on a link: a force over eps (|f| + |m|/L), a moment over eps (EI/h + |m| + L |f|).
+  double imbalance = std::numeric_limits<double>::quiet_NaN();
   double tip_error = std::numeric_limits<double>::quiet_NaN();  ///< estimated, of the algebra alone, over L
-  double growth = std::numeric_limits<double>::quiet_NaN();     ///< largest |entry| of the factors, x over L
-  bool pivoted = false;                                         ///< did growth call for pivots within blocks?
+  /// Norm of the factors X, u_j = y - X u_(j+1), over that of as many unit matrices; SI units.
+  double growth = std::numeric_limits<double>::quiet_NaN();
+  bool pivoted = false;  ///< did growth call for pivots within blocks?
 };
 
 /// Throws std::invalid_argument: a formulation without a batch (by name), one that needs a xi without it,
-/// links < 1, a length or stiffness that is not positive, numbers that are not finite.
+/// links < 1, a length or stiffness that is not positive, numbers that are not finite, a root
+/// that is no rotation.
 Solution solve(const Chain& chain, const EndLoads& loads, const Settings& settings = {});
 
 /// The same with the last node held at a pose, reached in load steps along the arc from its place at rest.

@@ -113,13 +113,15 @@ class Newton {
   void eliminate() {
     if (!out_.pivoted) {
       const bool any = joints_.how().symmetrised || state_.links().kept != nullptr;
-      (any ? sweeps_.eliminate_any : sweeps_.eliminate)(state_.links(), joints_.how(), scale_, at_tip_);
-      out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
-      if (out_.growth < kMostGrowth) return;
+      eliminate(any ? sweeps_.eliminate_any : sweeps_.eliminate);
+      if (std::sqrt(at_tip_.growth) < kMostGrowth) return;  // no entry is larger; a NaN is no good either
       out_.pivoted = true;
       scale_ = 0;
     }
-    sweeps_.eliminate_pivoted(state_.links(), joints_.how(), scale_, at_tip_);
+    eliminate(sweeps_.eliminate_pivoted);
+  }
+  void eliminate(void (*sweep)(const Links&, const Evaluation&, double, AtTip&)) {
+    sweep(state_.links(), joints_.how(), scale_, at_tip_);
     out_.growth = std::sqrt(at_tip_.growth / double(6 * chain_.links));
   }
 

@@ -1,48 +1,31 @@
 // Sweeps along a chain in one instruction set; included only by the generated units.
 #pragma once
 
+#include "reference/chain/loops/chunk.hpp"
 #include "reference/chain/loops/elimination.hpp"
-#include "reference/chain/loops/stage.hpp"
+#include "reference/chain/loops/substitute.hpp"
 
 namespace halfway::reference::chain::detail {
 
-/// What a sweep does with each chunk of joints after it was moved.
+/// What a sweep does with each chunk of joints.
 enum class Sweep { balance, eliminate, eliminate_any, eliminate_pivoted, reduce };
 
 template <class Isa, Sweep what>
 class Along {
-  using P = Pack<double, Isa>;
   using R = Row<Isa>;
   static constexpr bool kPivoted = what == Sweep::eliminate_pivoted;
   static constexpr bool kWhole = kPivoted || what == Sweep::eliminate_any;
   static constexpr bool kTangent = kWhole || what == Sweep::eliminate;
 
  public:
-  Along(const Links& links, const Evaluation& how, AtTip& tip) : links_(links), how_(how), tip_(tip) {
-    for (auto& row : t_.zero) {
-      for (double& x : row) x = 0;
-    }
-    for (auto& row : t_.u) row[kFirst + kChunk - 1] = 0;  // link 0
-    for (int c = 0; c < 4; ++c) {
-      t_.q_old[c][kFirst + kChunk - 1] = t_.q[c][kFirst + kChunk - 1] = links.q.first[c * links.q.stride];
-    }
-    for (auto& row : t_.BA) row[kFirst + kChunk - 1] = 0;
-    for (auto& row : t_.BB) row[kFirst + kChunk - 1] = 0;
-    for (auto& row : t_.QB) row[kFirst + kChunk - 1] = 0;
-    job_ = how.job;
-    job_.count = kChunk;
-    job_.q_a = {t_.q_a[0], kChunk}, job_.q_b = {t_.q_b[0], kChunk};
-    job_.x_a = {t_.zero[0], kChunk}, job_.x_b = {t_.D[0], kChunk};
-    job_.loads = {t_.loads[0], kChunk}, job_.tangent = {t_.tangent[0], kChunk};
-  }
+  Along(const Links& links, const Evaluation& how, AtTip& tip)
+      : links_(links), tip_(tip), chunk_(links, how) {}
 
   void run(double scale) {
     for (long first = 1; first <= links_.count; first += kChunk) {
       const long left = links_.count - first + 1;
       const int count = left < kChunk ? int(left) : kChunk;
-      read(first, count);
-      move(first, count, scale);
-      evaluate();
+      chunk_.advance(first, count, scale);
       take_balance(first, count);
       if constexpr (kTangent)
         eliminate_chunk(first, count);
@@ -53,105 +36,6 @@ class Along {
   }
 
  private:
-  /// The last column of a lagged row comes before the first one.
-  template <int rows>
-  static void lag(double (&table)[rows][kLagged]) {
-    for (auto& row : table) row[kBefore] = row[kLagged - 1];
-  }
-
-  /// What is beyond the last link stays with it.
-  template <int rows>
-  static void fill_up(double (&table)[rows][kLagged], int count) {
-    for (auto& row : table) {
-      for (int i = count; i < kChunk; ++i) row[kFirst + i] = row[kFirst + count - 1];
-    }
-  }
-
-  void read(long first, int count) {
-    lag(t_.q_old), lag(t_.q), lag(t_.u), lag(t_.QB);
-    if constexpr (kTangent) lag(t_.BB), lag(t_.BA);
-    for (int c = 0; c < 4; ++c)
-      R::load(links_.q.first + c * links_.q.stride + first).store(&t_.q_old[c][kFirst]);
-    for (int c = 0; c < 3; ++c) R::load(links_.d.first + c * links_.d.stride + first).store(&t_.d[c][0]);
-    R rows[8], columns[8];
-    for (int i = 0; i < 8; ++i) rows[i] = R::load(links_.increment + kIncrement * (first + i));
-    transpose(rows, columns);
-    for (int c = 0; c < 6; ++c) columns[c].store(&t_.u[c][kFirst]);
-    if (count == kChunk) return;
-    fill_up(t_.q_old, count), fill_up(t_.u, count);
-    for (auto& row : t_.d) {
-      for (int i = count; i < kChunk; ++i) row[i] = 0;
-    }
-  }
-
-  void move(long first, int count, double scale) {
-    const Stage<P> stage{links_, how_, t_};
-    for (int i = 0; i < kChunk; i += P::kLanes) stage.move(i, P(scale));
-    for (int c = 0; c < 4; ++c) R::load(&t_.q[c][kFirst]).store(links_.q.first + c * links_.q.stride + first);
-    for (int c = 0; c < 3; ++c) R::load(&t_.d[c][0]).store(links_.d.first + c * links_.d.stride + first);
-    for (int i = 0; i < kChunk; i += P::kLanes) stage.place(i);
-    alignas(64) double steps[3][kChunk];
-    for (int i = 0; i < kChunk; i += P::kLanes) put(stage.step(i), &steps[0][i], kChunk);
-    for (int c = 0; c < 3; ++c) {
-      if (count < kChunk) {
-        for (int i = count; i < kChunk; ++i) steps[c][i] = 0;
-      }
-      add(R::load(steps[c]), position_[c], lost_[c]);
-    }
-  }
-  /// Compensated.
-  static HALFWAY_INLINE void add(const R& x, R& sum, R& lost) {
-    const R y = x - lost, next = sum + y;
-    lost = (next - sum) - y;
-    sum = next;
-  }
-
-  void evaluate() {
-    const Stage<P> stage{links_, how_, t_};
-    if constexpr (kTangent) {
-      how_.tangent(job_);
-      switch (how_.kept) {
-        case Kept::all:
-          tangent<Kept::all>(stage);
-          break;
-        case Kept::general:
-          tangent<Kept::general>(stage);
-          break;
-        case Kept::conservative:
-          tangent<Kept::conservative>(stage);
-      }
-      if (kWhole && how_.symmetrised) symmetrise();
-      if (!how_.foreign) return;
-    }
-    how_.loads(job_);
-    for (int i = 0; i < kChunk; i += P::kLanes) stage.carry_loads(i);
-  }
-  template <Kept kept>
-  static void tangent(const Stage<P>& stage) {
-    for (int i = 0; i < kChunk; i += P::kLanes)
-      stage.carry_loads(i), stage.template put_tangent<kept, kWhole>(i);
-  }
-
-  void symmetrise() {
-    const P half(0.5);
-    for (int i = 0; i < kChunk; i += P::kLanes) {
-      for (int r = 0; r < 6; ++r) {
-        for (int c = 0; c < 6; ++c) {
-          double *const ab = &t_.AB[6 * r + c][i], *const ba = &t_.BA[6 * c + r][kFirst + i];
-          const P mean = half * (P::load(ab) + P::load(ba));
-          mean.store(ab), mean.store(ba);
-          if (c <= r) continue;
-          both(half, &t_.AA[6 * r + c][i], &t_.AA[6 * c + r][i]);
-          both(half, &t_.BB[6 * r + c][kFirst + i], &t_.BB[6 * c + r][kFirst + i]);
-        }
-      }
-    }
-  }
-  static HALFWAY_INLINE void both(const P& half, double* a, double* b) {
-    const P mean = half * (P::load(a) + P::load(b));
-    mean.store(a), mean.store(b);
-  }
-
   /// What is not in balance on the links before the joints, and how large the loads are.
   void take_balance(long first, int count) {
     for (int c = 0; c < 6; ++c) {
@@ -246,47 +130,36 @@ class Along {
     }
   }
 
-  /// Of BA.
-  double before(int entry, int at) const {
-    return kWhole || entry % 6 >= 3 ? t_.BA[entry][at] : -t_.BB[entry][at];
-  }
-
   void finish() {
+    for (int c = 0; c < 3; ++c) tip_.x[c] = chunk_.position(c);
+    for (int i = 0; i < 6; ++i) tip_.growth += growth_.at(i);
     const int at = kFirst + int((links_.count - 1) % kChunk);
-    for (int c = 0; c < 3; ++c) {
-      double sum = 0;
-      for (int i = 0; i < 8; ++i) sum += position_[c].at(i) - lost_[c].at(i);
-      tip_.x[c] = sum;
-    }
-    for (int i = 0; i < 8; ++i) tip_.growth += i < 6 ? growth_.at(i) : 0;
     for (int r = 0; r < 6; ++r) {
       tip_.residual[r] = -t_.QB[r][at];
-      if constexpr (what == Sweep::balance) {
+      if constexpr (what == Sweep::balance)
         larger(t_.QB[r][at] < 0 ? -t_.QB[r][at] : t_.QB[r][at], tip_.largest[r]);
-      } else {
-        for (int k = 0; k < 6; ++k) {
-          const double a = before(6 * r + k, at);
-          if constexpr (what == Sweep::reduce) {
-            tip_.residual[r] -= links_.kept[6 * r + k] * y_[k];
-          } else {
-            tip_.residual[r] -= a * last_.row[k].at(6);
-            double s = t_.BB[6 * r + k][at];
-            for (int l = 0; l < 6; ++l) s -= before(6 * r + l, at) * last_.row[l].at(k);
-            tip_.S[6 * r + k] = s;
-            if (links_.kept != nullptr) links_.kept[6 * r + k] = a;
-          }
-        }
-      }
+      if constexpr (kTangent) finish_row(r, at);
+      for (int k = 0; what == Sweep::reduce && k < 6; ++k) tip_.residual[r] -= links_.kept[6 * r + k] * y_[k];
+    }
+  }
+  /// What the others leave of the last link's row; its A is kept at link 0, which has none.
+  void finish_row(int r, int at) {
+    for (int k = 0; k < 6; ++k) {
+      const double a = chunk_.before(6 * r + k, at);
+      tip_.residual[r] -= a * last_.row[k].at(6);
+      double s = t_.BB[6 * r + k][at];
+      for (int l = 0; l < 6; ++l) s -= chunk_.before(6 * r + l, at) * last_.row[l].at(k);
+      tip_.S[6 * r + k] = s;
+      if (links_.kept != nullptr) links_.kept[6 * r + k] = a;
     }
   }
 
   const Links& links_;
-  const Evaluation& how_;
   AtTip& tip_;
-  Tables t_;
-  batch::detail::Job<double> job_;
+  Chunk<Isa, kTangent, kWhole> chunk_;
+  const Tables& t_ = chunk_.tables();
   Factors<Isa> last_{};
-  R growth_{}, sum_[6], position_[3]{}, lost_[3]{};
+  R growth_{}, sum_[6];
   double y_[6]{};
 };
 
@@ -295,57 +168,6 @@ void sweep(const Links& links, const Evaluation& how, double scale, AtTip& tip) 
   tip = {};
   Along<Isa, what> along(links, how, tip);
   along.run(scale);
-}
-
-/// Sums of six rows, each in its column; columns 6 and 7 hold anything.
-template <class Isa>
-HALFWAY_INLINE Row<Isa> sums(const Row<Isa> (&p)[6]) {
-  if constexpr (Row<Isa>::kParts == 1) {
-    using V = typename Row<Isa>::Part::V;
-    const auto halves = [](const V& a, const V& b) HALFWAY_INLINE_LAMBDA -> V {
-      return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
-             __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-    };
-    const auto quarters = [](const V& a, const V& b) HALFWAY_INLINE_LAMBDA -> V {
-      return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) +
-             __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-    };
-    const auto row = [&](int r) HALFWAY_INLINE_LAMBDA { return p[r].part[0].v; };
-    const V a = quarters(halves(row(0), row(1)), halves(row(2), row(3))), b = halves(row(4), row(5));
-    const V c = quarters(b, b);
-    return {typename Row<Isa>::Part(V(__builtin_shufflevector(a, c, 0, 1, 2, 3, 8, 9, 10, 11) +
-                                      __builtin_shufflevector(a, c, 4, 5, 6, 7, 12, 13, 14, 15)))};
-  } else {
-    Row<Isa> out = Row<Isa>::all(0.);
-    for (int r = 0; r < 6; ++r) {
-      double sum = 0;
-      for (int c = 0; c < 7; ++c) sum += p[r].at(c);
-      out.set(r, sum);
-    }
-    return out;
-  }
-}
-
-/// u_j = y - X u_(j+1), towards the root.
-template <class Isa>
-void substitute(const Links& links, const double (&last)[6], double (&largest)[6]) {
-  using R = Row<Isa>;
-  R u{}, seventh{};
-  seventh.set(6, 1);
-  for (int c = 0; c < 6; ++c) u.set(c, last[c]);
-  R most = u.size();
-  u.store(links.increment + kIncrement * links.count);
-  for (long j = links.count - 1; j >= 1; --j) {
-    const R v = (-u).with_seventh(seventh);
-    const double* const from = links.factors + kFactors * j;
-    R products[6];
-    for (int r = 0; r < 6; ++r) products[r] = v * R::load(from + 7 * r);
-    u = sums<Isa>(products);
-    u.store(links.increment + kIncrement * j);
-    most = most.larger(u.size());
-  }
-  // A NaN goes on to the first link, whatever `most` remembers.
-  for (int c = 0; c < 6; ++c) largest[c] = u.at(c) == u.at(c) ? most.at(c) : u.at(c);
 }
 
 template <class Isa>
