@@ -61,4 +61,26 @@ printf '%s\n' 'title = "too much"' 'formulations = ["jointc", "linearized"]' '[j
   'factor_end = 1' > "$folder/fold.toml"
 run "$folder/fold.toml" && fail "nothing but the linear analysis arrives, and the exit code is 0"
 grep -q 'fold\|half a turn\|pole' "$folder/out" || fail "no cause is named"
+
+# A chain: written and drawn whole, the tip where a regular polygon closes; what it cannot do is refused by name.
+printf '%s\n' 'title = "roll"' '[chain]' 'links = 20' 'length = 1' 'GJ = 1' 'EI = 1' 'EA = 1e4' 'GA = 1e4' '[[load]]' \
+  'type = "follower_moment"' 'value = [0, 0, 6.283185307179586]' > "$folder/roll.toml"
+"$program" run "$folder/roll.toml" --formulation invariant --out "$folder" > "$folder/out" 2> "$folder/err" ||
+  fail "a chain exits with $?"
+for file in curve.csv shape.csv curve.json curve.svg shape.svg; do
+  [ -s "$folder/roll/$file" ] || fail "a chain: no $file"
+done
+awk -F, 'END { r = $5 * $5 + $6 * $6 + $7 * $7; exit !(NR == 43 && r < 1e-24 && $10 > 6.2831853 && $10 < 6.2831854) }' \
+  "$folder/roll/shape.csv" || fail "the last node of the chain is not back at the root, a whole turn on"
+run "$folder/roll.toml" --formulation linearized && fail "the linear analysis of a chain was not refused"
+grep -q 'linearized cannot run scene roll' "$folder/err" || fail "the refusal does not name the linear analysis"
+
+# Interrupted: nothing half written is left.
+sed 's/links = 20/links = 1000000/' "$folder/roll.toml" > "$folder/long.toml"
+"$program" run "$folder/long.toml" --out "$folder" > "$folder/out" 2> "$folder/err" &
+sleep 1
+kill -INT $!
+wait $! && fail "an interrupted chain exits with 0"
+grep -q 'interrupted' "$folder/err" || fail "it is not said that the chain was interrupted"
+find "$folder/long" -name '*.part' | grep -q . && fail "an interrupted chain leaves half a file"
 exit 0
