@@ -135,10 +135,20 @@ class Newton {
     const double f = largest(at_tip_.largest, 0), m = largest(at_tip_.largest, 3);
     const double f0 = largest(at_tip_.imbalance, 0), m0 = largest(at_tip_.imbalance, 3);
     // Forces are known to eps of their size and of what the moments make of it, angles to eps.
-    const double of_force = kEps * (f + m / chain_.length);
-    const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + chain_.length * f);
+    const double shortened = of_shortening(m, k);
+    const double of_force = kEps * (f + m / chain_.length + shortened);
+    const double of_moment = kEps * (k.tail<3>().maxCoeff() + m + chain_.length * (f + shortened));
     out_.imbalance = larger(f0 / of_force, m0 / of_moment);
     return out_.imbalance < kMostImbalance;
+  }
+
+  /// A joint that knows its length shortens by h theta^2/12, against which its axial stiffness sees the rest:
+  /// the force that this is a difference of. The largest turn of a joint is its moment over the softest
+  /// stiffness.
+  double of_shortening(double moment, const Vec6& k) const {
+    if (!batch::Batch::needs_length(chain_.formulation)) return 0;
+    const double turn = moment / k.tail<3>().minCoeff();
+    return k[0] * chain_.length / double(chain_.links) * turn * turn / 12;
   }
 
   std::string words(End end, double factor) const {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Scenes as people brought them, through the real program: what `halfway run` prints, writes and returns.
-# Usage: run.sh PROGRAM
+# Usage: run.sh PROGRAM PROGRAM_OF_CHAINS
 set -u
 program=$1
 field=$(dirname "$0")/field
@@ -62,9 +62,18 @@ printf '%s\n' 'title = "too much"' 'formulations = ["jointc", "linearized"]' '[j
 run "$folder/fold.toml" && fail "nothing but the linear analysis arrives, and the exit code is 0"
 grep -q 'fold\|half a turn\|pole' "$folder/out" || fail "no cause is named"
 
+# The slender rod beside the joints of C3: a kept value of 80-bit Taylor series.
+run c3_buckling --formulation invariant --rod || fail "c3_buckling --rod exits with $?"
+holds "$folder/c3_buckling/curve.csv" rod theta_z 2.62995874622906 1e-12
+run c6_compression_shear --rod && fail "a rod was drawn beside forces"
+grep -q -- '--rod' "$folder/err" || fail "the refusal does not name --rod"
+
 # A chain: written and drawn whole, the tip where a regular polygon closes; what it cannot do is refused by name.
 printf '%s\n' 'title = "roll"' '[chain]' 'links = 20' 'length = 1' 'GJ = 1' 'EI = 1' 'EA = 1e4' 'GA = 1e4' '[[load]]' \
   'type = "follower_moment"' 'value = [0, 0, 6.283185307179586]' > "$folder/roll.toml"
+run "$folder/roll.toml" && fail "the program without batches solves a chain"
+grep -q 'is a chain' "$folder/err" || fail "the refusal of a chain does not say what solves it"
+program=$2
 "$program" run "$folder/roll.toml" --formulation invariant --out "$folder" > "$folder/out" 2> "$folder/err" ||
   fail "a chain exits with $?"
 for file in curve.csv shape.csv curve.json curve.svg shape.svg; do

@@ -67,7 +67,7 @@ std::vector<reference::Curve> solve_all(const RunOptions& options, const referen
 }
 
 void write_curves(const RunOptions& options, const reference::Scene& scene,
-                  const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
+                  const std::vector<reference::Curve>& curves, const std::vector<NotRun>& left_out) {
   const auto write = [&](const char* name, const std::string& content) {
     write_result(options, scene, name, content);
   };
@@ -86,7 +86,7 @@ void run_joint(const RunOptions& options, const reference::Scene& scene) {
   begin_run(options, scene);
   auto curves = solve_all(options, scene, choices);
   if (rod) curves.push_back(*rod);
-  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<LeftOut>{};
+  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<NotRun>{};
   print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
   if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
@@ -101,12 +101,16 @@ void run_joint(const RunOptions& options, const reference::Scene& scene) {
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
 }
 
-void run(const RunOptions& options) {
+void run(const RunOptions& options, RunChain run_chain) {
   check_formats(options.formats);
   const reference::AnyScene scene = find_scene(options.scene);
   const auto* chain = std::get_if<reference::ChainScene>(&scene);
   if (chain && options.with_rod)
     throw BadInput(fmt::format("--rod: scene {} is a chain already", options.scene));
+  if (chain && !run_chain)
+    throw BadInput(
+        fmt::format("scene {} is a chain: ./halfway run solves it, by a program of its own (halfway-chains)",
+                    options.scene));
   if (chain) return run_chain(options, *chain);
   run_joint(options, std::get<reference::Scene>(scene));
 }
@@ -130,7 +134,7 @@ void write_result(const RunOptions& options, const reference::SceneHead& scene, 
   print("wrote " + printable(file.string()) + "\n");
 }
 
-void add_run(CLI::App& app) {
+void add_run(CLI::App& app, RunChain run_chain) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Solve one scene and write its curves");
   command->add_option("scene", options->scene, "Name of a canonical scene, or a TOML file")->required();
@@ -144,7 +148,7 @@ void add_run(CLI::App& app) {
                     "Of an angular joint also the slender rod of its stiffness, to all orders");
   command->add_option("--out", options->folder, "Folder; the curves go to FOLDER/SCENE/")
       ->capture_default_str();
-  command->callback([options] { run(*options); });
+  command->callback([options, run_chain] { run(*options, run_chain); });
 }
 
 }  // namespace halfway::reports

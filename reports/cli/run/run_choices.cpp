@@ -1,6 +1,5 @@
 #include "reports/cli/run/run_choices.hpp"
 
-#include "halfway/batch/batch.hpp"
 #include "reference/scene/names.hpp"
 #include "reports/cli/errors.hpp"
 
@@ -74,15 +73,6 @@ Fit fit_of(const reference::Scene& scene) {
           }};
 }
 
-Fit fit_of(const reference::ChainScene& scene) {
-  const auto objection = [](const reference::Entry* entry) -> std::string {
-    if (!entry) return "is of one joint alone";
-    return batch::Batch::knows(entry->name) ? "" : "has no batch";
-  };
-  return {reference::choices(scene, [=](const reference::Entry& entry) { return objection(&entry).empty(); }),
-          objection};
-}
-
 std::vector<reference::Choice> run_choices(const reference::SceneHead& scene, const Fit& fit,
                                            const std::vector<std::string>& names,
                                            const std::vector<double>& xis) {
@@ -107,9 +97,9 @@ std::vector<reference::Choice> run_choices(const reference::SceneHead& scene, co
   return out;
 }
 
-std::vector<LeftOut> left_out(const reference::SceneHead& scene, const Fit& fit,
-                              const std::vector<reference::Choice>& choices) {
-  std::vector<LeftOut> out;
+std::vector<NotRun> left_out(const reference::SceneHead& scene, const Fit& fit,
+                             const std::vector<reference::Choice>& choices) {
+  std::vector<NotRun> out;
   if (!scene.formulations.empty()) return out;
   for (const auto& entry : reference::formulations()) {
     if (std::ranges::find(choices, &entry, &reference::Choice::entry) != choices.end()) continue;

@@ -20,7 +20,6 @@ struct Fit {
   std::function<std::string(const reference::Entry*)> objection;
 };
 Fit fit_of(const reference::Scene& scene);
-Fit fit_of(const reference::ChainScene& scene);
 
 /// The formulations by name, or the scene's own choice when `names` is empty; `xis` replaces the
 /// scene's values for those that have a free xi. Throws BadInput.
@@ -29,10 +28,10 @@ std::vector<reference::Choice> run_choices(const reference::SceneHead& scene, co
                                            const std::vector<double>& xis);
 
 /// A formulation that is not run although nobody chose otherwise, and why.
-struct LeftOut {
+struct NotRun {
   std::string formulation, reason;
 };
-std::vector<LeftOut> left_out(const reference::SceneHead& scene, const Fit& fit,
-                              const std::vector<reference::Choice>& choices);
+std::vector<NotRun> left_out(const reference::SceneHead& scene, const Fit& fit,
+                             const std::vector<reference::Choice>& choices);
 
 }  // namespace halfway::reports

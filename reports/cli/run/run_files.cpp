@@ -67,7 +67,7 @@ std::string critical_csv(const reference::SceneHead& scene, const std::vector<re
 }
 
 std::string curves_json(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
-                        const std::vector<LeftOut>& left_out) {
+                        const std::vector<NotRun>& left_out) {
   nlohmann::ordered_json out = {{"schema", "halfway-run-1"},
                                 {"scene", scene.name},
                                 {"title", scene.title},
@@ -92,7 +92,7 @@ std::string curves_json(const reference::SceneHead& scene, const std::vector<ref
 }
 
 std::string curves_table(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
-                         const std::vector<LeftOut>& left_out) {
+                         const std::vector<NotRun>& left_out) {
   if (curves.empty()) return "";
   std::size_t width = 11;
   for (const auto& curve : curves) width = std::max(width, curve_label(curve).size());

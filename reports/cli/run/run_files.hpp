@@ -27,11 +27,11 @@ std::string critical_csv(const reference::SceneHead& scene, const std::vector<re
 /// Where the scene has a critical_axis, each curve has "critical": {"axis", "moment", "angle"}, or null where
 /// there is none.
 std::string curves_json(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
-                        const std::vector<LeftOut>& left_out);
+                        const std::vector<NotRun>& left_out);
 
 /// The last row of every curve with outcome, estimated error, iterations and residual, and the critical state
 /// where asked; then what was left out and why.
 std::string curves_table(const reference::SceneHead& scene, const std::vector<reference::Curve>& curves,
-                         const std::vector<LeftOut>& left_out);
+                         const std::vector<NotRun>& left_out);
 
 }  // namespace halfway::reports

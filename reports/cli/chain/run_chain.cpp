@@ -1,12 +1,12 @@
 // halfway run of a chain: tip curves as of a joint, and the shapes.
 #include "halfway/batch/batch.hpp"
+#include "reports/cli/chain/shapes.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/interrupts.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
-#include "reports/cli/run/shapes.hpp"
 #include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +15,15 @@
 
 namespace halfway::reports {
 namespace {
+
+Fit fit_of(const reference::ChainScene& scene) {
+  const auto objection = [](const reference::Entry* entry) -> std::string {
+    if (!entry) return "is of one joint alone";
+    return batch::Batch::knows(entry->name) ? "" : "has no batch";
+  };
+  return {reference::choices(scene, [=](const reference::Entry& entry) { return objection(&entry).empty(); }),
+          objection};
+}
 
 /// Files that are written already are whole.
 void stop_if_interrupted(const reference::ChainScene& scene) {
@@ -44,7 +53,7 @@ std::vector<reference::ChainAnswer> chain_answers(const reference::ChainScene& s
 
 void write_answers(const RunOptions& options, const reference::ChainScene& scene,
                    const std::vector<reference::ChainAnswer>& answers,
-                   const std::vector<reference::Curve>& curves, const std::vector<LeftOut>& left_out) {
+                   const std::vector<reference::Curve>& curves, const std::vector<NotRun>& left_out) {
   const auto write = [&](std::string_view format, const char* name, const auto& content) {
     stop_if_interrupted(scene);
     if (options.wants(format)) write_result(options, scene, name, content());
@@ -67,7 +76,7 @@ void run_chain(const RunOptions& options, const reference::ChainScene& scene) {
   const auto answers = chain_answers(scene, choices);
   std::vector<reference::Curve> curves;
   for (const auto& answer : answers) curves.push_back(answer.curve);
-  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<LeftOut>{};
+  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<NotRun>{};
   print(curves_table(scene, curves, missing));
   write_answers(options, scene, answers, curves, missing);
   if (std::ranges::none_of(curves, &reference::Curve::converged))

@@ -1,4 +1,4 @@
-#include "reports/cli/run/shapes.hpp"
+#include "reports/cli/chain/shapes.hpp"
 
 #include "halfway/joint/unwrapped.hpp"
 #include "reference/record/worst.hpp"
