@@ -2,6 +2,7 @@
 
 #include "reference/numbers/random.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,8 @@ void add_pose(Inputs& in, Generator& g, double phi) {
 
 }  // namespace
 
-Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool ends) {
+Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool ends,
+              double (*convex_radius)(const Eigen::MatrixXd& K)) {
   Generator g(2011);
   Inputs in;
   in.spec.kind = kind;
@@ -50,7 +52,9 @@ Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool
     in.spec.a = {g.vector(0.5), reference::third_of_turn(1)};
     in.spec.b = {g.vector(0.5), reference::third_of_turn(-1)};
   }
-  for (int i = 0; i < kPoses; ++i) add_pose(in, g, 1e-3 * std::pow(3e3, g.uniform(0, 1)));
+  const bool is_series = convex_radius && kind != Kind::linear;
+  const double span = is_series ? std::min(3e3, convex_radius(K) / 1e-3) : 3e3;
+  for (int i = 0; i < kPoses; ++i) add_pose(in, g, 1e-3 * std::pow(span, g.uniform(0, 1)));
   return in;
 }
 

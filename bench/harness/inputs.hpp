@@ -22,7 +22,11 @@ inline constexpr int kPoses = 256;
 /// Relative rotations log-uniform from 1e-3 to 3 rad in random directions, so that every branch of a
 /// series or a quaternion is taken; full stiffness, coupled between translation and rotation unless
 /// `block_diagonal`. Without `ends` the joint points and frames are at the nodes.
-Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool ends = true);
+/// @param convex_radius  of a formulation whose energy is a series, of a stiffness: no rotation goes beyond,
+/// where
+///                       solvers refuse it and its terms cancel; nullptr: no limit
+Inputs inputs(Kind kind, const Parameters& parameters, bool block_diagonal, bool ends = true,
+              double (*convex_radius)(const Eigen::MatrixXd& K) = nullptr);
 
 /// The ranges of the relative rotation angle (rad) in which errors are told apart: decades of phi from
 /// 1e-12 to 1, [1, pi - 0.1), and decades of pi - phi from 0.1 to 1e-12.

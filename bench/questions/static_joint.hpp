@@ -24,7 +24,9 @@ auto make_joint(const reference::JointSpec& spec) {
 template <class F>
 Inputs inputs_of(Kind kind, bool ends = true) {
   constexpr bool block_diagonal = requires { F::kBlockDiagonalLawOnly; };
-  return inputs(kind, reference::probe_parameters<F>(), block_diagonal, ends);
+  double (*radius)(const Eigen::MatrixXd&) = nullptr;
+  if constexpr (requires { F::convex_radius; }) radius = &F::convex_radius;
+  return inputs(kind, reference::probe_parameters<F>(), block_diagonal, ends, radius);
 }
 
 }  // namespace halfway::bench
