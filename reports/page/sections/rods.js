@@ -116,5 +116,5 @@ export const rodParts = (results) => [
     build: () => chainWorkFigure(results)
   },
   {id: 'chain-orders', title: 'Observed orders', half: true, build: () => orderTable(results)},
-  {id: 'chain-tangents', title: 'What a wrong tangent costs', half: true, build: () => tangentTable(results)}
+  {id: 'chain-tangents', title: 'What a wrong tangent costs', build: () => tangentTable(results)}
 ];
