@@ -1,7 +1,7 @@
 // The terms that the spin A of a frame adds: A = 0 in frame a, 1 in frame b.
 #pragma once
 
-#include "halfway/kernels/loads.hpp"
+#include "halfway/kernels/core/loads.hpp"
 #include "halfway/kernels/spins.hpp"
 
 #include <type_traits>

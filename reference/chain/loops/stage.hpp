@@ -1,7 +1,7 @@
 // Eight joints from poses to blocks of the tangent: moved, evaluated, their loads carried to the links.
 #pragma once
 
-#include "halfway/kernels/loads.hpp"
+#include "halfway/kernels/core/loads.hpp"
 #include "halfway/kernels/motion.hpp"
 #include "reference/chain/loops/row.hpp"
 #include "reference/chain/loops/sweep.hpp"

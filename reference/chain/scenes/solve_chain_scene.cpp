@@ -36,8 +36,8 @@ chain::Solution solved(const ChainScene& scene, const chain::Chain& chain, doubl
   return chain::solve_held(chain, *scene.held, settings).solution;
 }
 
-/// The largest rotation between neighbouring nodes, less what the rod has at rest, rad: that of a joint, up
-/// to its own frames' second order.
+/// The largest rotation of a joint, rad. Between its frames it is the same as between its nodes, seen from
+/// where they are at rest: the angle of H_a^T R H_b is that of R H_b H_a^T.
 double largest_turn(const std::vector<chain::Node>& nodes, const std::vector<chain::Node>& rest) {
   double out = 0;
   const auto between = [](const std::vector<chain::Node>& of, std::size_t i) -> Mat3<double> {
@@ -48,7 +48,8 @@ double largest_turn(const std::vector<chain::Node>& nodes, const std::vector<cha
   return out;
 }
 
-/// What a formulation whose energy is a series has against a solution: "" for nothing.
+}  // namespace
+
 std::string beyond_series(const Entry& entry, const chain::Chain& chain,
                           const std::vector<chain::Node>& nodes) {
   if (!entry.convex_radius) return "";
@@ -58,8 +59,6 @@ std::string beyond_series(const Entry& entry, const chain::Chain& chain,
   const double turn = largest_turn(nodes, chain::at_rest(chain));
   return turn <= radius ? "" : "a joint's " + beyond_convexity(entry, turn, radius);
 }
-
-}  // namespace
 
 chain::EndLoads scaled(const chain::EndLoads& loads, double factor) {
   return {factor * loads.force, factor * loads.follower_force, factor * loads.moment,

@@ -4,6 +4,7 @@
 #include "reference/scene/chain_scene.hpp"
 #include "reference/solve/solve.hpp"
 
+#include <string>
 #include <vector>
 
 namespace halfway::reference {
@@ -26,6 +27,11 @@ using ChainTold = std::function<bool(int done, int most)>;
 
 /// The chain of the scene with joints of one formulation.
 chain::Chain chain_of(const ChainScene& scene, const Choice& choice);
+
+/// What a formulation whose energy is a series has against a solution: that a joint turns beyond where its
+/// energy is convex, where an equilibrium may be another than the rod's. "" for nothing, and of all others.
+std::string beyond_series(const Entry& entry, const chain::Chain& chain,
+                          const std::vector<chain::Node>& nodes);
 
 chain::EndLoads scaled(const chain::EndLoads& loads, double factor);
 

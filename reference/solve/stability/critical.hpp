@@ -76,7 +76,9 @@ class PrimaryPath {
 
   /// First divergence (the determinant changes sign) and first flutter (the discriminant becomes negative),
   /// located to 40 digits at 50. A pole of either is no critical load. Islands narrower than the samples
-  /// (2 mrad) are not seen.
+  /// (2 mrad) are not seen, nor is a load at which two turns become unstable at once, where the determinant
+  /// only touches zero (quaternion under K = (2, 1, 3), semi-tangential: studies/rods searches by signs
+  /// instead).
   /// @param setting  of the moment. @param body  at the loaded node; divergence does not depend on it.
   CriticalLoads critical(const MomentSetting& setting, const BodyInertia& body) const;
 

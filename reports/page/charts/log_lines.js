@@ -11,6 +11,13 @@ export const logAxis = (tickCount) => ({
   gridOpacity: AT_DECADES,
   tickOpacity: AT_DECADES
 });
+/** The channel of errors and their like. */
+export const logChannel = (field, title) => ({
+  field,
+  title,
+  scale: {type: 'log', padding: 8},
+  axis: logAxis(9)
+});
 export const namesOf = (rows) => [...new Set(rows.map((r) => r.formulation))];
 
 /** `only` is isolated, or null. */

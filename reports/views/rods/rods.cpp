@@ -1,12 +1,12 @@
 #include "reports/views/rods/rods.hpp"
 
+#include "reports/views/parts.hpp"
 #include "reports/views/rods/chains.hpp"
 #include "reports/views/rounded.hpp"
 #include "verify/studies/rods/end_force.hpp"
 #include "verify/studies/rods/one_joint.hpp"
 #include "verify/studies/solids/c3_body.hpp"
 
-#include <iterator>
 #include <stdexcept>
 
 namespace halfway::reports {
@@ -84,15 +84,11 @@ json force_record() {
   return out;
 }
 
-struct Part {
-  const char* name;
-  json (*record)();
-};
-constexpr Part kParts[] = {{"skew", skew_record},
-                           {"random", random_record},
-                           {"semi_tangential", semi_tangential_record},
-                           {"force", force_record},
-                           {"chains", chains_record}};
+constexpr RecordPart kParts[] = {{"skew", skew_record},
+                                 {"random", random_record},
+                                 {"semi_tangential", semi_tangential_record},
+                                 {"force", force_record},
+                                 {"chains", chains_record}};
 
 }  // namespace
 
@@ -123,13 +119,7 @@ json c3_reference_curves() {
 }
 
 json rods_record(const std::function<void(int, int, const std::string&)>& progress) {
-  json out = json::object();
-  int done = 0;
-  for (const Part& part : kParts) {
-    out[part.name] = part.record();
-    progress(++done, int(std::size(kParts)), part.name);
-  }
-  return out;
+  return record_of(kParts, progress);
 }
 
 }  // namespace halfway::reports

@@ -1,13 +1,12 @@
 #include "reports/views/stability/stability.hpp"
 
+#include "reports/views/parts.hpp"
 #include "reports/views/stability/basins.hpp"
 #include "reports/views/stability/energy.hpp"
 #include "reports/views/stability/kind.hpp"
 #include "reports/views/stability/paths.hpp"
 #include "reports/views/stability/range.hpp"
 #include "verify/studies/joints/defects.hpp"
-
-#include <iterator>
 
 namespace halfway::reports {
 namespace {
@@ -19,24 +18,14 @@ nlohmann::json defects_record() {
   return out;
 }
 
-struct Part {
-  const char* name;
-  nlohmann::json (*record)();
-};
-constexpr Part kParts[] = {{"paths", stability_paths_record},   {"kind", stability_kind_record},
-                           {"range", stability_range_record},   {"energy", stability_energy_record},
-                           {"basins", stability_basins_record}, {"defects", defects_record}};
+constexpr RecordPart kParts[] = {{"paths", stability_paths_record},   {"kind", stability_kind_record},
+                                 {"range", stability_range_record},   {"energy", stability_energy_record},
+                                 {"basins", stability_basins_record}, {"defects", defects_record}};
 
 }  // namespace
 
 nlohmann::json stability_record(const std::function<void(int, int, const std::string&)>& progress) {
-  nlohmann::json out = nlohmann::json::object();
-  int done = 0;
-  for (const Part& part : kParts) {
-    out[part.name] = part.record();
-    progress(++done, int(std::size(kParts)), part.name);
-  }
-  return out;
+  return record_of(kParts, progress);
 }
 
 }  // namespace halfway::reports

@@ -1,6 +1,7 @@
 #include "verify/studies/chains/chain_orders.hpp"
 
 #include "halfway/batch/batch.hpp"
+#include "reference/chain/scenes/solve_chain_scene.hpp"
 #include "reference/truth/data.hpp"
 #include "verify/once.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
@@ -20,15 +21,16 @@ ChainPoint point_of(const reference::Entry& entry, const ChainRod& rod, chain::N
   chain::Chain asked = chain_with(*rod.scene, entry, links);
   asked.node_order = order;
   const double start = thread_seconds();
-  chain::Settings settings;
-  chain::Solution found = chain::solve(asked, rod.loads, settings);
-  for (; !found.converged && settings.load_steps < kMostSteps;
-       found = chain::solve(asked, rod.loads, settings))
-    settings.load_steps *= 4;
   ChainPoint out{links};
+  chain::Settings settings;
+  chain::Solution found;
+  for (; !found.converged && settings.load_steps <= kMostSteps; settings.load_steps *= 4) {
+    found = chain::solve(asked, rod.loads, settings);
+    out.iterations += int(found.iterations.size());
+  }
   out.seconds = thread_seconds() - start;
-  out.iterations = int(found.iterations.size());
-  if (found.converged) out.miss = tapped((chain::pose(found.nodes.back()).x - rod.tip) / asked.length);
+  if (found.converged && reference::beyond_series(entry, asked, found.nodes).empty())
+    out.miss = tapped((chain::pose(found.nodes.back()).x - rod.tip) / asked.length);
   return out;
 }
 

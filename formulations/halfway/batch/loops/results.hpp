@@ -4,8 +4,8 @@
 #include "halfway/batch/loops/job.hpp"
 #include "halfway/batch/loops/pack.hpp"
 #include "halfway/batch/loops/same.hpp"
+#include "halfway/kernels/core/loads.hpp"
 #include "halfway/kernels/dual.hpp"
-#include "halfway/kernels/loads.hpp"
 
 #include <type_traits>
 

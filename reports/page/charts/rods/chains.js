@@ -5,7 +5,7 @@ import {chainName, chainRows} from '../../data/rods_data.js';
 import {choice, h, plainTable} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
 import {Absent} from '../../parts.js';
-import {linesSpec, logAxis, namesOf, RowsPanel} from '../log_lines.js';
+import {linesSpec, logAxis, logChannel, namesOf, RowsPanel} from '../log_lines.js';
 
 const ACROSS = {
   links: {title: 'links of the chain', axis: {values: [8, 16, 32, 64, 128, 256]}},
@@ -19,12 +19,7 @@ const specOver = (across) => (rows, only) => {
     scale: {type: 'log', nice: false, padding: 12},
     axis: ACROSS[across].axis
   };
-  const y = {
-    field: 'error',
-    title: 'distance of the tip from the rod’s, over L',
-    scale: {type: 'log', padding: 8},
-    axis: logAxis(9)
-  };
+  const y = logChannel('error', 'distance of the tip from the rod’s, over L');
   const tooltip = [
     {field: 'formulation'},
     {field: 'links'},

@@ -4,7 +4,7 @@ import {Chart} from '../../chart.js';
 import {choice, h, plainTable} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
 import {Absent} from '../../parts.js';
-import {linesSpec, logAxis, RowsPanel} from '../log_lines.js';
+import {linesSpec, logAxis, logChannel, RowsPanel} from '../log_lines.js';
 
 /** One point per end of a run before its time. */
 function runsSpec(runs, only) {
@@ -29,12 +29,7 @@ function runsSpec(runs, only) {
     scale: {type: 'log', nice: false, padding: 8},
     axis: logAxis(7)
   };
-  const y = {
-    field: 'change',
-    title: 'largest energy change until then, relative',
-    scale: {type: 'log', padding: 8},
-    axis: logAxis(9)
-  };
+  const y = logChannel('change', 'largest energy change until then, relative');
   const tooltip = [
     {field: 'formulation'},
     {field: 'nature', title: 'loads'},

@@ -4,7 +4,7 @@ import {kindLabel} from '../../data/accuracy_data.js';
 import {choice, h, plainTable} from '../../dom.js';
 import {isNumber, short} from '../../format.js';
 import {Absent} from '../../parts.js';
-import {linesSpec, logAxis, namesOf, RowsPanel} from '../log_lines.js';
+import {linesSpec, logChannel, namesOf, RowsPanel} from '../log_lines.js';
 
 const FLOOR = 1e-18; // of the axis: an exact 0 has no place on it
 
@@ -26,12 +26,7 @@ function loopsSpec(loops, only) {
     scale: {type: 'log', nice: false, padding: 12},
     axis: {values: [0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8], format: '~r'}
   };
-  const y = {
-    field: 'shown',
-    title: 'net work over turnover',
-    scale: {type: 'log', padding: 8},
-    axis: logAxis(9)
-  };
+  const y = logChannel('shown', 'net work over turnover');
   const tooltip = [
     {field: 'formulation'},
     {field: 'amplitude'},
