@@ -10,9 +10,6 @@ target_compile_options(halfway_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-res
 # targets of the same options (-O1: what nobody times); what is timed has headers of its own.
 set(halfway_headers <Eigen/Geometry> <Eigen/LU> <array> <cmath> <functional> <optional> <string> <variant> <vector>)
 
-# g++ collects its garbage when 128 MB are there, in a unit of ours a dozen times: a tenth of its time.
-add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
-
 # What is compiled in one go costs a third of what it does file by file: the front end reads and instantiates
 # the same headers once. So names of a folder's files must not clash; a process stays below 1.5 GB.
 option(HALFWAY_TOGETHER "Compile the files of a folder together; off, a change costs its own file alone" ON)

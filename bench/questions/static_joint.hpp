@@ -25,7 +25,7 @@ template <class F>
 Inputs inputs_of(Kind kind, bool ends = true) {
   constexpr bool block_diagonal = requires { F::kBlockDiagonalLawOnly; };
   double (*radius)(const Eigen::MatrixXd&) = nullptr;
-  if constexpr (requires { F::convex_radius; }) radius = &F::convex_radius;
+  if constexpr (requires(const Eigen::MatrixXd& K) { F::convex_radius(K); }) radius = &F::convex_radius;
   return inputs(kind, reference::probe_parameters<F>(), block_diagonal, ends, radius);
 }
 

@@ -84,7 +84,8 @@ Entry make_entry(std::string_view type, std::string_view header, bool wide) {
   }
   entry.needs_length = requires { F::kProbeLength; };
   entry.probe = probe_parameters<F>();
-  if constexpr (requires { &F::convex_radius; }) entry.convex_radius = &F::convex_radius;
+  if constexpr (requires(const Eigen::MatrixXd& K) { F::convex_radius(K); })
+    entry.convex_radius = &F::convex_radius;
   if constexpr (requires { F::kBlockDiagonalLawOnly; }) entry.block_diagonal_law_only = true;
   return entry;
 }

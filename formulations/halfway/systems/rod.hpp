@@ -15,7 +15,10 @@ struct RodJoint {
   static constexpr bool kLinearWithoutRotation = Potential::kLinearWithoutRotation;
   static constexpr bool has_potential(Kind) { return true; }
   /// Convex below this |theta|, rad, for a law of that stiffness at no strain; refused beyond by what solves.
-  static double convex_radius(const Eigen::MatrixXd& K) { return rod_convex_radius(K); }
+  template <class Matrix>
+  static double convex_radius(const Matrix& K) {
+    return rod_convex_radius(K);
+  }
 
   template <Kind kind, class T>
   Strain<T, kind> strain(const RelativeMotion<T>& m) const {

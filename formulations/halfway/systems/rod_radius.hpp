@@ -19,7 +19,7 @@ namespace halfway {
 /// the plane of two of them: of X = x^2, Y = y^2 on 12 g^2 X Y + 2 g (k_x X + k_y Y) = k_x k_y the least X +
 /// Y. That no direction off the planes is worse is measured (verify), not proven.
 /// @param k  principal values of K, N m/rad, > 0
-inline double rod_convex_radius(const Vec3<double>& k) {
+inline double rod_convex_radius_of(const Vec3<double>& k) {
   double least = std::numeric_limits<double>::infinity();  // of |theta|^2
   for (int l = 0; l < 3; ++l) {
     const double kx = k[(l + 1) % 3], ky = k[(l + 2) % 3];
@@ -38,15 +38,18 @@ inline double rod_convex_radius(const Vec3<double>& k) {
 /// The same of a law's stiffness at no strain, n x n, n = 3 or 6 (translation first): where translations are
 /// coupled to rotations and yield to them, a lower bound. 0 where the angular stiffness, or what the coupling
 /// leaves of it, is not positive definite.
-inline double rod_convex_radius(const Eigen::MatrixXd& K) {
-  const Mat3<double> angular = K.bottomRightCorner<3, 3>();
+/// @tparam Matrix  of doubles; a template, so that what evaluates joints compiles no decomposition
+template <class Matrix>
+double rod_convex_radius(const Matrix& K) {
+  const Mat3<double> angular = K.template bottomRightCorner<3, 3>();
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> axes(angular);
   if (!(axes.eigenvalues()[0] > 0)) return 0;
-  const double radius = rod_convex_radius(Vec3<double>(axes.eigenvalues()));
-  if (K.rows() == 3 || K.topRightCorner<3, 3>().isZero(0)) return radius;
-  const Mat3<double> across = K.topRightCorner<3, 3>();
+  const double radius = rod_convex_radius_of(Vec3<double>(axes.eigenvalues()));
+  if (K.rows() == 3 || K.template topRightCorner<3, 3>().isZero(0)) return radius;
+  const Mat3<double> across = K.template topRightCorner<3, 3>();
   const Mat3<double> left =
-      angular - across.transpose() * K.topLeftCorner<3, 3>().completeOrthogonalDecomposition().solve(across);
+      angular -
+      across.transpose() * K.template topLeftCorner<3, 3>().completeOrthogonalDecomposition().solve(across);
   const Vec3<double> weight = axes.eigenvalues().cwiseSqrt().cwiseInverse();
   const Mat3<double> seen = weight.asDiagonal() * axes.eigenvectors().transpose() * left *
                             axes.eigenvectors() * weight.asDiagonal();
