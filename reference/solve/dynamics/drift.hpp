@@ -8,12 +8,12 @@
 
 namespace halfway::reference::dynamics {
 
-/// Bodies, joint and start. One period is that of the slowest mode of small vibration.
+/// Bodies, joints and start. One period is that of the slowest mode of small vibration.
 struct Scenario {
   std::string name;
   std::string title;
-  JointSpec spec;
-  std::array<Body, 2> bodies;
+  std::vector<Joint> joints;
+  std::vector<Body> bodies;
   State start;
 };
 

@@ -22,7 +22,7 @@ json scenario_row(const d::Scenario& scenario, const Entry& entry) {
   const auto modes = frequencies(entry, scenario);
   return {{"name", scenario.name},
           {"title", scenario.title},
-          {"kind", to_string(scenario.spec.kind)},
+          {"kind", to_string(scenario.joints.front().spec.kind)},
           {"period", modes.empty() ? std::nan("") : 2 * std::numbers::pi / modes.front()},
           {"frequencies", modes}};
 }
@@ -47,12 +47,12 @@ json envelope(const d::Drift& run) {
 json run_row(const Entry& entry, Kind kind) {
   const d::Scenario scenario = verify::motion_scenario(entry, kind);
   const d::Drift& run = verify::long_motion(entry, kind);
-  const bool clamped = scenario.bodies[0].clamped || scenario.bodies[1].clamped;
+  const bool clamped = std::ranges::any_of(scenario.bodies, &d::Body::clamped);
   const auto momentum = [&](double drift) { return clamped ? json(nullptr) : json(drift); };
   return {{"formulation", entry.name},
           {"scenario", scenario.name},
-          {"potential", entry.has_potential(scenario.spec.kind)},
-          {"balanced", entry.facts.moment_balance.of(scenario.spec.kind).holds()},
+          {"potential", entry.has_potential(scenario.joints.front().spec.kind)},
+          {"balanced", entry.facts.moment_balance.of(scenario.joints.front().spec.kind).holds()},
           {"periods", run.periods},
           {"steps", run.steps},
           {"ending", run.ending},
