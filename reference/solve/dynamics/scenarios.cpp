@@ -32,6 +32,12 @@ Scenario pair(const char* name, const char* title) {
   return {name, title, {Joint{}}, std::vector<Body>(2), State(2)};
 }
 
+/// Where a curve of constant curvature (1/m, axes along it) is after the length s, m; its tangent is axis 1.
+Pose<double> along(const Pose<double>& from, const Vec3<double>& curvature, double s) {
+  const Vec3<double> turn = s * curvature;
+  return {from.x + from.R * (s * so3::gamma<double>(turn).col(0)), from.R * so3::exp<double>(turn)};
+}
+
 /// Of the bodies where no joint is strained: each joint's node b is placed by its node a.
 Eigen::MatrixXd tangent_at_rest(const Entry& entry, const Scenario& scenario) {
   const long count = 6 * long(scenario.bodies.size());
@@ -80,6 +86,38 @@ Scenario free_scenario(const Entry& entry) {
   set_motion(s.bodies[1], w.cross(s.start[1].x), w + vec(0.1, 0.05, -0.1), s.start[1]);
   const Vec3<double> drift = (s.start[0].p + s.start[1].p) / (s.bodies[0].mass + s.bodies[1].mass);
   for (std::size_t i = 0; i < 2; ++i) s.start[i].p -= s.bodies[i].mass * drift;
+  return s;
+}
+
+Scenario chain_scenario(const Entry& entry) {
+  constexpr std::size_t kLinks = 16;
+  constexpr double kLength = 1, h = kLength / kLinks, kMassPerLength = 1;
+  const Vec3<double> at_rest = vec(0.5, 0.9, -0.7), at_start = at_rest + vec(0.9, 1.6, -1.1);  // curvatures
+  const Vec3<double> spin = vec(0.4, -0.5, 0.7);                                               // rad/s
+  Scenario s{"chain", "sixteen free links, curved, a joint between each two", {}, {}, State(kLinks)};
+  JointSpec spec;
+  spec.kind = Kind::linear_angular;
+  spec.xi = entry.probe_xi;
+  if (entry.needs_length) spec.length = h, spec.axis = 1;
+  Eigen::VectorXd k(6);
+  k << 500, 300, 200, 0.8, 1, 4;  // EA, GA, GJ, EI
+  spec.law = LinearSpec{(k / h).asDiagonal(), false};
+  const Mat3<double> section = so3::exp<double>(vec(0.6, 0, 0));  // principal axes of EI in those of inertia
+  const auto end = [&](double way) -> JointEnd<double> {
+    const Pose<double> at = along({}, at_rest, way);
+    return {at.x, at.R * section};
+  };
+  spec.a = end(h / 2), spec.b = end(-h / 2);
+  const double m = kMassPerLength * h;
+  s.bodies.assign(kLinks, {m, m * vec(0.015, 0.01, 0.012), false});
+  Pose<double> pose;
+  for (std::size_t i = 0; i < kLinks; ++i) {
+    if (i > 0) s.joints.push_back({spec, i - 1, i});
+    const auto q = so3::quaternion<double>(pose.R);
+    s.start[i].x = pose.x, s.start[i].q << q.w, q.v;
+    set_motion(s.bodies[i], vec(0.2, -0.3, 0.1) + spin.cross(pose.x), spin, s.start[i]);
+    pose = along(pose, at_start, h);
+  }
   return s;
 }
 

@@ -1,8 +1,8 @@
 // The integrators themselves, against motions that are known in closed form and against each other.
-#include "reference/solve/dynamics/drift.hpp"
 #include "reference/solve/dynamics/runge_kutta.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
+#include "verify/studies/motion/energy.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_elljac.h>
@@ -115,25 +115,27 @@ std::vector<Finding> harmonics() {
   return {harmonic(true, false), harmonic(true, true), harmonic(false, false), harmonic(false, true)};
 }
 
-d::Scenario scenario_of(const Entry& entry, bool free) {
-  return free ? d::free_scenario(entry) : d::clamped_scenario(entry);
-}
+/// A scenario and how the order of the integrator shows.
+struct Asked {
+  Motion motion;
+  double time;     ///< s
+  long two, four;  ///< steps of either order; then twice as many
+};
 
 /// Order in the step, against Runge-Kutta at a tolerance whose own error is smaller.
-std::vector<Finding> order(bool free) {
+std::vector<Finding> order(const Asked& asked) {
   const Entry& entry = *reference::find_formulation("conformal");
-  const auto s = scenario_of(entry, free);
+  const auto s = motion_scenario(entry, asked.motion);
   const System system = elastic_system(entry, s.joints, s.bodies);
-  constexpr double kTime = 6;
-  const State exact = d::runge_kutta(system, s.start, kTime, 1e-14).state;
+  const State exact = d::runge_kutta(system, s.start, asked.time, 1e-14).state;
   std::vector<Finding> out;
   for (Order order : {Order::two, Order::four}) {
     const auto error = [&](long steps) {
       State state = s.start;
-      advance(system, order, kTime / double(steps), steps, state);
+      advance(system, order, asked.time / double(steps), steps, state);
       return distance(state, exact);
     };
-    const long steps = order == Order::two ? 1600 : 800;
+    const long steps = order == Order::two ? asked.two : asked.four;
     const double coarse = error(steps), fine = error(2 * steps);
     out.push_back(
         finding(fmt::format("dynamics/order/{}/{}", s.name, order == Order::two ? "two" : "four"))
@@ -147,9 +149,9 @@ std::vector<Finding> order(bool free) {
 }
 
 /// The tolerance of a step against what is left of it at the end.
-std::vector<Finding> tolerances(bool free) {
+std::vector<Finding> tolerances(Motion motion) {
   const Entry& entry = *reference::find_formulation("conformal");
-  const auto s = scenario_of(entry, free);
+  const auto s = motion_scenario(entry, motion);
   const System system = elastic_system(entry, s.joints, s.bodies);
   constexpr double kTime = 30;
   const State exact = d::runge_kutta(system, s.start, kTime, 1e-14).state;
@@ -190,10 +192,14 @@ std::vector<Finding> reversal() {
 void dynamics(Checks& checks) {
   checks.push_back({"dynamics/free_body", "stability", free_body});
   checks.push_back({"dynamics/harmonic", "stability", harmonics});
-  for (const bool free : {false, true}) {
-    const std::string name = free ? "free" : "clamped";
-    checks.push_back({"dynamics/order/" + name, "stability", [free] { return order(free); }});
-    checks.push_back({"dynamics/tolerance/" + name, "stability", [free] { return tolerances(free); }});
+  static constexpr Asked kAsked[] = {
+      {Motion::clamped, 6, 1600, 800}, {Motion::free, 6, 1600, 800}, {Motion::chain, 0.25, 1600, 800}};
+  for (const Asked& asked : kAsked) {
+    const std::string name = motion_scenario(reference::formulations().front(), asked.motion).name;
+    checks.push_back({"dynamics/order/" + name, "stability", [&asked] { return order(asked); }});
+    if (asked.motion == Motion::chain) continue;
+    checks.push_back(
+        {"dynamics/tolerance/" + name, "stability", [&asked] { return tolerances(asked.motion); }});
   }
   checks.push_back({"dynamics/reversal", "stability", reversal});
 }
