@@ -47,6 +47,10 @@ class Newton {
     }
     out_.converged = good;
     if (good) out_.outcome = "converged";
+    if (good && settings_.tip_stiffness) {
+      eliminate();
+      out_.tip_stiffness = tip_.stiffness(state_, at_tip_);
+    }
     out_.nodes = state_.nodes();
     return std::move(out_);
   }
