@@ -14,7 +14,7 @@ namespace {
 void positive(const char* name, double x) {
   if (!(x > 0) || !std::isfinite(x)) refuse(fmt::format("{} is {}, not a positive number", name, x));
 }
-void finite(const char* name, const Vec3<double>& v) {
+void finite(const char* name, const Eigen::MatrixXd& v) {
   if (!v.allFinite()) refuse(fmt::format("{} has an entry that is not finite", name));
 }
 
@@ -50,10 +50,17 @@ Pose<double> pose(const Node& node) {
   return {{node.x[0], node.x[1], node.x[2]}, detail::rotation_matrix(detail::Quat(node.q))};
 }
 
+Mat3<double> semi_tangential(const Vec3<double>& m, const Mat3<double>& R) { return skew(m) / 2 * R; }
+
+Mat3<double> quasi_tangential(const Vec3<double>& m, const Vec3<double>& arm, const Mat3<double>& R) {
+  return m.cross(R * arm) * arm.transpose() / arm.squaredNorm();
+}
+
 Solution solve(const Chain& chain, const EndLoads& loads, const Settings& settings) {
   validate(chain), validate(settings);
   finite("force", loads.force), finite("follower_force", loads.follower_force);
   finite("moment", loads.moment), finite("follower_moment", loads.follower_moment);
+  finite("virial", loads.virial);
   detail::State state(chain, keeps(settings));
   detail::FreeTip tip(loads, settings.tangent == Tangent::symmetrised);
   detail::AtTip at_tip;

@@ -8,6 +8,7 @@
 
 #include "halfway/batch/batch.hpp"
 #include "halfway/joint/pose.hpp"
+#include "halfway/rotations/scalar.hpp"
 
 #include <functional>
 #include <limits>
@@ -46,7 +47,17 @@ struct EndLoads {
   Vec3<double> follower_force = Vec3<double>::Zero();   ///< N, node axes
   Vec3<double> moment = Vec3<double>::Zero();           ///< fixed in space, N m
   Vec3<double> follower_moment = Vec3<double>::Zero();  ///< N m, node axes
+  /// Sum of f r^T over dead forces that add up to nothing, f in global axes, r from the node in its axes, N
+  /// m: couples whose moment changes as the node turns, and which have a potential.
+  Mat3<double> virial = Mat3<double>::Zero();
 };
+
+/// Four dead forces on a cross that is fixed to the node and, where that has the orientation R, square to
+/// them: the moment is m there, and half of what turns the node turns it. N m, global axes.
+Mat3<double> semi_tangential(const Vec3<double>& m, const Mat3<double>& R);
+/// One pair of them on an arm, node axes, which has to be across m where the node has the orientation R; its
+/// length means nothing.
+Mat3<double> quasi_tangential(const Vec3<double>& m, const Vec3<double>& arm, const Mat3<double>& R);
 
 /// Of the Newton iteration; the residual is the same for all, and so is the equilibrium that is reached.
 enum class Tangent {
@@ -68,6 +79,7 @@ struct Settings {
   /// After each iteration, with the iterations that were done and those that are allowed; false: stop.
   std::function<bool(int done, int most)> progress{};
   std::optional<batch::Isa> isa{};  ///< the widest to be used; none: HALFWAY_ISA or what the machine has
+  bool tip_stiffness = false;       ///< whether Solution::tip_stiffness is wanted
 };
 
 /// What an iteration did.
@@ -96,6 +108,10 @@ struct Solution {
   /// Norm of the factors X, u_j = y - X u_(j+1), over that of as many unit matrices; SI units.
   double growth = std::numeric_limits<double>::quiet_NaN();
   bool pivoted = false;  ///< did growth call for pivots within blocks?
+  /// Where it was asked for and the end is free: what a displacement (m) and a spin of the last node need of
+  /// force and moment about it (N, N m) beyond those of the loads, all other nodes in balance. Singular at a
+  /// critical load.
+  std::optional<Eigen::Matrix<double, 6, 6>> tip_stiffness{};
 };
 
 /// Throws std::invalid_argument: a formulation without a batch (by name), one that needs a xi without it,

@@ -38,6 +38,10 @@ Joints::Joints(const Chain& chain, const Settings& settings) {
               chain.node_order);
   const auto k = stiffness(chain);
   constexpr int kDiagonal[] = {0, 6, 11, 15, 18, 20};  // of an upper triangle by rows
+  if (Batch::needs_length(chain.formulation)) {
+    how_.rod.length = chain.length / double(chain.links);
+    std::copy_n(k.data(), 6, how_.rod.stiffness);
+  }
   for (int i = 0; i < 6; ++i) std::fill_n(law_ + kDiagonal[i] * kChunk, kChunk, k[i]);
   static constexpr batch::BatchEnd<double> kAtTheNode{};
   how_.job.law = {law_, kChunk};

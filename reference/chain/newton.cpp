@@ -47,6 +47,10 @@ class Newton {
     }
     out_.converged = good;
     if (good) out_.outcome = "converged";
+    if (good && settings_.tip_stiffness) {
+      eliminate();
+      out_.tip_stiffness = tip_.stiffness(state_, at_tip_);
+    }
     out_.nodes = state_.nodes();
     return std::move(out_);
   }
@@ -142,13 +146,14 @@ class Newton {
     return out_.imbalance < kMostImbalance;
   }
 
-  /// A joint that knows its length shortens by h theta^2/12, against which its axial stiffness sees the rest:
-  /// the force that this is a difference of. The largest turn of a joint is its moment over the softest
-  /// stiffness.
+  /// The axial stiffness of a joint that knows its length sees d less h theta^2/12: what its force is a
+  /// difference of, and what it makes of an angle's last digits, over eps. The largest turn of a joint is
+  /// its moment over the softest stiffness.
   double of_shortening(double moment, const Vec6& k) const {
     if (!batch::Batch::needs_length(chain_.formulation)) return 0;
+    constexpr double kOfAngle = 4;  // eps: of the quaternions of two links and their product
     const double turn = moment / k.tail<3>().minCoeff();
-    return k[0] * chain_.length / double(chain_.links) * turn * turn / 12;
+    return k[0] * chain_.length / double(chain_.links) * turn * (turn / 12 + kOfAngle / 6);
   }
 
   std::string words(End end, double factor) const {

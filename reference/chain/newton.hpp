@@ -24,6 +24,10 @@ class Tip {
   virtual Vec6 increment(const State& state, double factor, const AtTip& reduced, bool new_tangent) = 0;
   /// Loads on the last link.
   virtual Vec6 load(const State& state, double factor, const AtTip& internal) const = 0;
+  /// Solution::tip_stiffness, in balance at all loads.
+  virtual std::optional<Eigen::Matrix<double, 6, 6>> stiffness(const State&, const AtTip&) const {
+    return std::nullopt;
+  }
 };
 
 /// Loads on a free end.
@@ -32,6 +36,8 @@ class FreeTip : public Tip {
   FreeTip(const EndLoads& loads, bool symmetrised) : loads_(loads), symmetrised_(symmetrised) {}
   Vec6 increment(const State& state, double factor, const AtTip& reduced, bool new_tangent) override;
   Vec6 load(const State& state, double factor, const AtTip&) const override { return at(state, factor).load; }
+  std::optional<Eigen::Matrix<double, 6, 6>> stiffness(const State& state,
+                                                       const AtTip& reduced) const override;
 
  private:
   TipLoads at(const State& state, double factor) const;

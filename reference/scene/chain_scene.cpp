@@ -3,6 +3,8 @@
 #include "reference/scene/read_joint.hpp"
 #include "reference/scene/scene_head.hpp"
 
+#include <cmath>
+
 namespace halfway::reference {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr int kMostLinks = 10000000;
 /// Of the way to where the end is held.
 constexpr int kMostSteps = 10000;
 
-const Names kChainLoads = {"fixed_force", "follower_force", "fixed_moment", "follower_moment"};
+const Names kChainLoads = {"fixed_force",     "follower_force",         "fixed_moment",
+                           "follower_moment", "semi_tangential_moment", "quasi_tangential_moment"};
 
 /// One number for axes 2 and 3 of the section, or one for each.
 void read_both(const Field& field, double& second, double& third) {
@@ -60,11 +63,33 @@ chain::Chain read_chain(const Field& field) {
   return out;
 }
 
-void add_load(const Field& load, chain::EndLoads& out) {
-  load.has_only({"type", "value"});
+/// Of a pair of forces, axes of the last node: across their moment at rest.
+Vec3<double> read_arm(const Field& load, const Vec3<double>& moment, const Mat3<double>& at_rest) {
+  constexpr const char* kArm =
+      "3 numbers, axes of the last node: the direction of the arm, across the moment at rest";
+  const Field field = load.at("arm", kArm);
+  const Vec3<double> out = field.vector<3>(kArm);
+  if (out.isZero(0)) field.refuse("has no direction", kArm);
+  if (!(std::abs(moment.dot(at_rest * out)) <= 1e-9 * moment.norm() * out.norm()))
+    field.refuse("is not across the moment at rest", kArm);
+  return out;
+}
+
+/// @param at_rest  orientation of the last node
+void add_load(const Field& load, const Mat3<double>& at_rest, chain::EndLoads& out) {
+  load.has_only({"type", "value", "arm"});
   const NamedLoad read = read_load(load, kChainLoads);
   Vec3<double>* const loads[] = {&out.force, &out.follower_force, &out.moment, &out.follower_moment};
-  *loads[read.type] += read.value;
+  if (kChainLoads[std::size_t(read.type)] == "quasi_tangential_moment") {
+    out.virial += chain::quasi_tangential(read.value, read_arm(load, read.value, at_rest), at_rest);
+    return;
+  }
+  if (const auto arm = load.find("arm"))
+    arm->refuse("is an arm of another load", "arm beside quasi_tangential_moment only");
+  if (kChainLoads[std::size_t(read.type)] == "semi_tangential_moment")
+    out.virial += chain::semi_tangential(read.value, at_rest);
+  else
+    *loads[read.type] += read.value;
 }
 
 /// The last node is held, or loads act on it along a path.
@@ -79,7 +104,9 @@ void read_end(const Field& file, ChainScene& scene) {
     if (const auto steps = held->find("steps")) scene.held_steps = steps->integer(1, kMostSteps);
     return;
   }
-  for (const Field load : loads_of(file)) add_load(load, scene.loads);
+  const chain::Chain& c = scene.chain;
+  const Mat3<double> at_rest = c.root.R * so3::exp<double>(c.length * c.curvature);
+  for (const Field load : loads_of(file)) add_load(load, at_rest, scene.loads);
   if (const auto path = file.find("path")) {
     path->has_only({"factor_end", "points"});
     read_path(*path, scene);

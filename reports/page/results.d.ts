@@ -612,7 +612,6 @@ export interface Scenario {
 export interface Integrator {
   order: number;
   steps_per_fastest: number | null;
-  periods: number | null;
 }
 
 export interface Energy {

@@ -85,8 +85,8 @@ class Chunk {
     const Stage<P> stage{links_, how_, t_};
     for (int i = 0; i < kChunk; i += P::kLanes) stage.move(i, P(scale));
     for (int c = 0; c < 4; ++c) R::load(&t_.q[c][kFirst]).store(links_.q.first + c * links_.q.stride + first);
-    for (int c = 0; c < 3; ++c) R::load(&t_.d[c][0]).store(links_.d.first + c * links_.d.stride + first);
     for (int i = 0; i < kChunk; i += P::kLanes) stage.place(i);
+    for (int c = 0; c < 3; ++c) R::load(&t_.d[c][0]).store(links_.d.first + c * links_.d.stride + first);
     alignas(64) double steps[3][kChunk];
     for (int i = 0; i < kChunk; i += P::kLanes) put(stage.step(i), &steps[0][i], kChunk);
     for (int c = 0; c < 3; ++c) {

@@ -3,6 +3,7 @@
 
 #include "halfway/kernels/core/loads.hpp"
 #include "halfway/kernels/motion.hpp"
+#include "reference/chain/loops/rod_strains.hpp"
 #include "reference/chain/loops/row.hpp"
 #include "reference/chain/loops/sweep.hpp"
 
@@ -75,7 +76,8 @@ struct Stage {
   const V3<P> arm = same<P>(links.arm);
   const Quat<P> turn{P(links.turn[0]), V3<P>{P(links.turn[1]), P(links.turn[2]), P(links.turn[3])}};
 
-  /// From the old state to the new one; d moves by its linear increment, the frames by their spins.
+  /// From the old state to the new one; d, or what a rod sees of it, moves by its linear increment, the
+  /// frames by their spins.
   HALFWAY_INLINE void move(int i, const P& scale) const {
     const auto spin = [&](int at)
                           HALFWAY_INLINE_LAMBDA { return scale * vector_of<P>(&t.u[3][at], kLagged); };
@@ -88,15 +90,18 @@ struct Stage {
     const M3<P> R = r.halfway();
     const V3<P> w = P(0.5) * (w_a + w_b + r.iw * cross(w_b - w_a, r.g));
     const V3<P> moved = shift(b) - shift(a) - cross(w_a, matrix(before) * arm) - cross(w, R * d);
-    put(d + moved * R, &t.d[0][i], kChunk);
+    put(how.rod.length == 0 ? d + moved * R : rod().moved(r, d, moved * R, (w_b - w_a) * R), &t.d[0][i],
+        kChunk);
     put(turned(w_b, at), &t.q[0][b], kLagged);
   }
 
-  /// What the joints are evaluated at: points at the origin and at D.
+  /// What the joints are evaluated at: points at the origin and at D. A rod's strains become d.
   HALFWAY_INLINE void place(int i) const {
     const int b = kFirst + i;
     const Quat<P> front = quat_of<P>(&t.q[0][b - 1], kLagged) * turn, at = quat_of<P>(&t.q[0][b], kLagged);
-    const V3<P> D = kernel::relative(front, at).halfway() * vector_of<P>(&t.d[0][i], kChunk);
+    const auto r = kernel::relative(front, at);
+    if (how.rod.length != 0) put(rod().displacement(r, vector_of<P>(&t.d[0][i], kChunk)), &t.d[0][i], kChunk);
+    const V3<P> D = r.halfway() * vector_of<P>(&t.d[0][i], kChunk);
     put(how.tip_first ? at : front, &t.q_a[0][i], kChunk);
     put(how.tip_first ? front : at, &t.q_b[0][i], kChunk);
     put(how.tip_first ? -D : D, &t.D[0][i], kChunk);
@@ -169,6 +174,7 @@ struct Stage {
     kernel::complete<true, kept == Kept::conservative, true>(step(i), l);
     f = {l.f.x, l.f.wa, l.f.wb}, m_p = {l.a.x, l.a.wa, l.a.wb}, m_n = {l.b.x, l.b.wa, l.b.wb};
   }
+  HALFWAY_INLINE RodStrains<P> rod() const { return RodStrains<P>(how.rod); }
   HALFWAY_INLINE kernel::S3<P> upper_of(const double* row) const {
     const V3<P> x = vector_of<P>(row, kChunk), y = vector_of<P>(row + 3 * kChunk, kChunk);
     return {x.x, x.y, x.z, y.x, y.y, y.z};

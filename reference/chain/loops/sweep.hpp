@@ -35,6 +35,12 @@ struct Links {
 /// objectivity tell the rest, 33, or 21 where there is a potential.
 enum class Kept { all, general, conservative };
 
+/// Of joints that see a rod's strains.
+struct Rod {
+  double length = 0;      ///< of a link, m; 0: they see d
+  double stiffness[6]{};  ///< diagonal, translation first
+};
+
 /// How joints are evaluated.
 struct Evaluation {
   batch::detail::Job<double> job{};                   ///< law and parameters; tables are the unit's
@@ -44,6 +50,7 @@ struct Evaluation {
   bool foreign = false;  ///< the tangent is another formulation's: loads are evaluated after it
   bool symmetrised = false;
   bool tip_first = false;
+  Rod rod{};
 };
 
 /// What a sweep from the root to the tip leaves.

@@ -62,7 +62,7 @@ std::string beyond_series(const Entry& entry, const chain::Chain& chain,
 
 chain::EndLoads scaled(const chain::EndLoads& loads, double factor) {
   return {factor * loads.force, factor * loads.follower_force, factor * loads.moment,
-          factor * loads.follower_moment};
+          factor * loads.follower_moment, factor * loads.virial};
 }
 
 chain::Chain chain_of(const ChainScene& scene, const Choice& choice) {

@@ -1,4 +1,4 @@
-// Two rigid bodies and the joint between them: state, energy, momentum and rates of change.
+// Rigid bodies and the joints between them: state, energy, momentum and rates of change.
 //
 // A body's node is its centre of mass, and its principal axes are the node's axes. A body may be clamped. The
 // momenta, and not the velocities, are the state: what the joint does to them is then a plain sum.
@@ -6,15 +6,15 @@
 
 #include "reference/face/registry.hpp"
 
-#include <array>
 #include <functional>
+#include <vector>
 
 namespace halfway::reference::dynamics {
 
 using Vec4 = Eigen::Vector4d;
-/// (f_a, m_a, f_b, m_b), global axes, moments about the nodes, conjugate to the motion of the nodes: what
-/// would hold the joint in its place. The joint acts on the bodies with the opposite.
-using Loads = Eigen::Matrix<double, 12, 1>;
+/// (f, m) of each body, global axes, moments about the nodes, conjugate to the motion of the nodes: what
+/// would hold the joints in their places. The joints act on the bodies with the opposite.
+using Loads = Eigen::VectorXd;
 
 struct Body {
   double mass = 1;                              ///< kg
@@ -30,21 +30,27 @@ struct BodyState {
       Vec3<double>::Zero();  ///< angular momentum about the centre of mass, global axes, kg m^2/s
 };
 
-using State = std::array<BodyState, 2>;  ///< of bodies a and b
+using State = std::vector<BodyState>;
+
+/// A joint and its nodes: places in the list of bodies.
+struct Joint {
+  JointSpec spec;
+  std::size_t a = 0, b = 1;
+};
 
 struct System {
-  std::array<Body, 2> bodies;
-  std::function<Loads(const State&)> loads;
+  std::vector<Body> bodies;
+  std::function<void(const State&, Loads&)> loads;    ///< sets all of them
   std::function<double(const State&)> strain_energy;  ///< J
   std::function<double(const State&)> dissipation{};  ///< W, what a damper takes out; empty: none
 };
 
-/// Two bodies on a formulation: its loads by the kernel where it has one, its law's own strain energy whether
-/// or not the loads derive from it. References must outlive the result. The law must be linear.
-System elastic_system(const Entry& entry, const JointSpec& spec, const std::array<Body, 2>& bodies);
+/// Bodies on joints of a formulation: its loads by the kernel where it has one, its law's own strain energy
+/// whether or not the loads derive from it. References must outlive the result. Laws must be linear.
+System elastic_system(const Entry& entry, const std::vector<Joint>& joints, const std::vector<Body>& bodies);
 
-/// Two bodies without any joint.
-System free_system(const std::array<Body, 2>& bodies);
+/// Bodies without any joint.
+System free_system(const std::vector<Body>& bodies);
 
 /// Body axes -> global axes; q need not be normalised.
 Mat3<double> orientation(const Vec4& q);
@@ -61,7 +67,7 @@ Vec3<double> velocity(const Body& body, const BodyState& state);
 double kinetic_energy(const System& system, const State& state);
 double energy(const System& system, const State& state);
 
-/// Of both bodies, the angular one about the origin of the global axes.
+/// Of all bodies, the angular one about the origin of the global axes.
 struct Momenta {
   Vec3<double> linear, angular;
 };
@@ -70,7 +76,7 @@ Momenta momenta(const State& state);
 /// The momenta of a body from its motion. @param v, w  velocity (m/s) and spin (rad/s), global axes
 void set_motion(const Body& body, const Vec3<double>& v, const Vec3<double>& w, BodyState& state);
 
-/// Relative rotation of the two joint frames, rad, in [0, pi].
-double relative_angle(const JointSpec& spec, const State& state);
+/// Relative rotation of a joint's two frames, rad, in [0, pi]; the largest of all.
+double relative_angle(const std::vector<Joint>& joints, const State& state);
 
 }  // namespace halfway::reference::dynamics

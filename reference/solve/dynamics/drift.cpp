@@ -20,9 +20,9 @@ double slope(const std::vector<DriftSample>& samples) {
 struct Scales {
   double linear, angular;
 };
-Scales scales(const std::array<Body, 2>& bodies, double start_energy) {
-  const double mass = bodies[0].mass + bodies[1].mass;
-  const double inertia = bodies[0].inertia.maxCoeff() + bodies[1].inertia.maxCoeff();
+Scales scales(const std::vector<Body>& bodies, double start_energy) {
+  double mass = 0, inertia = 0;
+  for (const Body& body : bodies) mass += body.mass, inertia += body.inertia.maxCoeff();
   return {std::sqrt(2 * start_energy * mass), std::sqrt(2 * start_energy * inertia)};
 }
 
@@ -37,7 +37,7 @@ Drift without_modes() {
 }  // namespace
 
 Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSettings& settings) {
-  const System system = elastic_system(entry, scenario.spec, scenario.bodies);
+  const System system = elastic_system(entry, scenario.joints, scenario.bodies);
   const auto modes = frequencies(entry, scenario);
   if (modes.empty()) return without_modes();
   const double period = 2 * std::numbers::pi / modes.front();
@@ -45,7 +45,7 @@ Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSet
       std::max(1, int(std::ceil(settings.steps_per_fastest * modes.back() / modes.front())));
   const int stride = std::max(1, per_period / settings.samples_per_period);
   const double h = period / per_period;
-  const bool is_free = !scenario.bodies[0].clamped && !scenario.bodies[1].clamped;
+  const bool is_free = std::ranges::none_of(scenario.bodies, &Body::clamped);
   const double E0 = energy(system, scenario.start);
   const Momenta M0 = momenta(scenario.start);
   const Scales scale = scales(scenario.bodies, E0);
@@ -72,7 +72,7 @@ Drift measure_drift(const Entry& entry, const Scenario& scenario, const DriftSet
     }
     if (std::abs(change) > settings.largest_growth) {
       out.ending = "the joint made many times the energy of the start";
-    } else if (relative_angle(scenario.spec, state) > settings.largest_angle) {
+    } else if (relative_angle(scenario.joints, state) > settings.largest_angle) {
       out.ending = "the joint turned beyond the range of its rotation measure";
     }
   }

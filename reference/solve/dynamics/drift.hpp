@@ -8,12 +8,12 @@
 
 namespace halfway::reference::dynamics {
 
-/// Bodies, joint and start. One period is that of the slowest mode of small vibration.
+/// Bodies, joints and start. One period is that of the slowest mode of small vibration.
 struct Scenario {
   std::string name;
   std::string title;
-  JointSpec spec;
-  std::array<Body, 2> bodies;
+  std::vector<Joint> joints;
+  std::vector<Body> bodies;
   State start;
 };
 
@@ -23,6 +23,11 @@ Scenario clamped_scenario(const Entry& entry);
 
 /// Two free bodies that also tumble, on a linear/angular joint off their centres, linear momentum 0.
 Scenario free_scenario(const Entry& entry);
+
+/// A chain of sixteen links that nothing holds: curved and without load, at the start bent and twisted
+/// further by up to 0.14 rad a joint, spinning and moving. Joints at the middle between their nodes, in
+/// frames turned from the links' axes of inertia. A rod of length 1 m, GJ = 0.8, EI = (1, 4) N m^2.
+Scenario chain_scenario(const Entry& entry);
 
 /// Circular frequencies of small vibration about the unstrained pose, rad/s, ascending; those of rigid motion
 /// are left out. Empty where the tangent there is zero or no number.

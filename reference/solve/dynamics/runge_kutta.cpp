@@ -12,20 +12,20 @@ namespace halfway::reference::dynamics {
 namespace {
 
 constexpr std::size_t kPerBody = 13;  // x, q, p, L
-constexpr std::size_t kCount = 2 * kPerBody + 1;
 
 struct Problem {
   const System& system;
   long evaluations = 0;
+  State state = State(system.bodies.size());  ///< at which the rates are asked for
+  Loads loads{};
 };
 
-State unpacked(const double* y) {
-  State s;
-  for (std::size_t i = 0; i < 2; ++i, y += kPerBody) {
-    s[i] = {Eigen::Map<const Vec3<double>>(y), Eigen::Map<const Vec4>(y + 3),
-            Eigen::Map<const Vec3<double>>(y + 7), Eigen::Map<const Vec3<double>>(y + 10)};
+void unpack(const double* y, State& state) {
+  for (BodyState& s : state) {
+    s = {Eigen::Map<const Vec3<double>>(y), Eigen::Map<const Vec4>(y + 3),
+         Eigen::Map<const Vec3<double>>(y + 7), Eigen::Map<const Vec3<double>>(y + 10)};
+    y += kPerBody;
   }
-  return s;
 }
 
 void pack(const BodyState& s, double* y) {
@@ -45,27 +45,28 @@ Vec4 quaternion_rate(const Vec3<double>& w, const Vec4& q) {
 
 int rates(double, const double y[], double dydt[], void* parameter) {
   auto& problem = *static_cast<Problem*>(parameter);
-  const State state = unpacked(y);
-  const Loads loads = problem.system.loads(state);
+  State& state = problem.state;
+  unpack(y, state);
+  problem.system.loads(state, problem.loads);
   ++problem.evaluations;
-  if (!loads.allFinite()) return GSL_EBADFUNC;
-  for (std::size_t i = 0; i < 2; ++i) {
+  if (!problem.loads.allFinite()) return GSL_EBADFUNC;
+  for (std::size_t i = 0; i < state.size(); ++i) {
     const Body& body = problem.system.bodies[i];
     BodyState rate{velocity(body, state[i]), quaternion_rate(spin(body, state[i]), state[i].q)};
     if (!body.clamped) {
-      rate.p = -loads.segment<3>(6 * long(i));
-      rate.L = -loads.segment<3>(6 * long(i) + 3);
+      rate.p = -problem.loads.segment<3>(6 * long(i));
+      rate.L = -problem.loads.segment<3>(6 * long(i) + 3);
     }
     pack(rate, dydt + i * kPerBody);
   }
-  dydt[kCount - 1] = problem.system.dissipation ? problem.system.dissipation(state) : 0;
+  dydt[kPerBody * state.size()] = problem.system.dissipation ? problem.system.dissipation(state) : 0;
   return GSL_SUCCESS;
 }
 
 /// Puts the quaternions back to unit length. @return how far they were off
-double normalise(double* y) {
+double normalise(std::size_t bodies, double* y) {
   double largest = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < bodies; ++i) {
     Eigen::Map<Vec4> q{y + i * kPerBody + 3};
     const double norm = q.norm();
     keep_largest(largest, std::abs(norm - 1));
@@ -85,26 +86,28 @@ struct Free {
 RungeKuttaResult runge_kutta(const System& system, const State& start, double duration, double tolerance) {
   constexpr long kMostSteps = 4'000'000;  // an hour's worth: a run that needs more has a named end
   Problem problem{system};
-  gsl_odeiv2_system equations{rates, nullptr, kCount, &problem};
-  const std::unique_ptr<gsl_odeiv2_step, Free> step(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, kCount));
+  const std::size_t bodies = start.size(), count = kPerBody * bodies + 1;
+  gsl_odeiv2_system equations{rates, nullptr, count, &problem};
+  const std::unique_ptr<gsl_odeiv2_step, Free> step(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, count));
   const std::unique_ptr<gsl_odeiv2_control, Free> control(gsl_odeiv2_control_y_new(tolerance, tolerance));
-  const std::unique_ptr<gsl_odeiv2_evolve, Free> evolve(gsl_odeiv2_evolve_alloc(kCount));
-  double y[kCount] = {};
-  for (std::size_t i = 0; i < 2; ++i) pack(start[i], y + i * kPerBody);
+  const std::unique_ptr<gsl_odeiv2_evolve, Free> evolve(gsl_odeiv2_evolve_alloc(count));
+  std::vector<double> y(count);
+  for (std::size_t i = 0; i < bodies; ++i) pack(start[i], &y[i * kPerBody]);
   RungeKuttaResult out;
   double t = 0, h = duration / 100;
   for (long n = 0; t < duration; ++n) {
     const int status = n < kMostSteps ? gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(),
-                                                                &equations, &t, duration, &h, y)
+                                                                &equations, &t, duration, &h, y.data())
                                       : GSL_EMAXITER;
     if (status != GSL_SUCCESS) {
       out.failure = gsl_strerror(status);
       break;
     }
-    keep_largest(out.norm_drift, normalise(y));
+    keep_largest(out.norm_drift, normalise(bodies, y.data()));
   }
-  out.state = unpacked(y);
-  out.dissipated = y[kCount - 1];
+  out.state.resize(bodies);
+  unpack(y.data(), out.state);
+  out.dissipated = y.back();
   out.evaluations = problem.evaluations;
   return out;
 }

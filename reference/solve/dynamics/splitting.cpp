@@ -5,9 +5,10 @@
 namespace halfway::reference::dynamics {
 namespace {
 
-void kick(const System& system, double h, State& state) {
-  const Loads q = system.loads(state);
-  for (std::size_t i = 0; i < 2; ++i) {
+/// @param q  room for the loads
+void kick(const System& system, double h, State& state, Loads& q) {
+  system.loads(state, q);
+  for (std::size_t i = 0; i < state.size(); ++i) {
     if (system.bodies[i].clamped) continue;
     state[i].p -= h * q.segment<3>(6 * long(i));
     state[i].L -= h * q.segment<3>(6 * long(i) + 3);
@@ -46,9 +47,9 @@ void drift(const Body& body, double h, BodyState& s) {
 }
 
 /// Drift between two half kicks; the last half kick of one step and the first of the next are one.
-void drift_kick(const System& system, double drift_time, double kick_time, State& state) {
-  for (std::size_t i = 0; i < 2; ++i) drift(system.bodies[i], drift_time, state[i]);
-  kick(system, kick_time, state);
+void drift_kick(const System& system, double drift_time, double kick_time, State& state, Loads& q) {
+  for (std::size_t i = 0; i < state.size(); ++i) drift(system.bodies[i], drift_time, state[i]);
+  kick(system, kick_time, state, q);
 }
 
 }  // namespace
@@ -58,15 +59,16 @@ void advance(const System& system, Order order, double h, long steps, State& sta
   // Yoshida: three symmetric steps of w1, w0, w1 cancel the third-order error of one.
   const double w1 = 1 / (2 - std::cbrt(2.0)), w0 = 1 - 2 * w1;
   const double first = order == Order::two ? h / 2 : w1 * h / 2;
-  kick(system, first, state);
+  Loads q;
+  kick(system, first, state, q);
   for (long n = 1; n <= steps; ++n) {
     const double last = n == steps ? first : 2 * first;
     if (order == Order::two) {
-      drift_kick(system, h, last, state);
+      drift_kick(system, h, last, state, q);
     } else {
-      drift_kick(system, w1 * h, (w1 + w0) * h / 2, state);
-      drift_kick(system, w0 * h, (w1 + w0) * h / 2, state);
-      drift_kick(system, w1 * h, last, state);
+      drift_kick(system, w1 * h, (w1 + w0) * h / 2, state, q);
+      drift_kick(system, w0 * h, (w1 + w0) * h / 2, state, q);
+      drift_kick(system, w1 * h, last, state, q);
     }
   }
 }

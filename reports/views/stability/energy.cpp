@@ -22,7 +22,7 @@ json scenario_row(const d::Scenario& scenario, const Entry& entry) {
   const auto modes = frequencies(entry, scenario);
   return {{"name", scenario.name},
           {"title", scenario.title},
-          {"kind", to_string(scenario.spec.kind)},
+          {"kind", to_string(scenario.joints.front().spec.kind)},
           {"period", modes.empty() ? std::nan("") : 2 * std::numbers::pi / modes.front()},
           {"frequencies", modes}};
 }
@@ -44,15 +44,15 @@ json envelope(const d::Drift& run) {
   return out;
 }
 
-json run_row(const Entry& entry, Kind kind) {
-  const d::Scenario scenario = verify::motion_scenario(entry, kind);
-  const d::Drift& run = verify::long_motion(entry, kind);
-  const bool clamped = scenario.bodies[0].clamped || scenario.bodies[1].clamped;
+json run_row(const Entry& entry, verify::Motion motion) {
+  const d::Scenario scenario = verify::motion_scenario(entry, motion);
+  const d::Drift& run = verify::long_motion(entry, motion);
+  const bool clamped = std::ranges::any_of(scenario.bodies, &d::Body::clamped);
   const auto momentum = [&](double drift) { return clamped ? json(nullptr) : json(drift); };
   return {{"formulation", entry.name},
           {"scenario", scenario.name},
-          {"potential", entry.has_potential(scenario.spec.kind)},
-          {"balanced", entry.facts.moment_balance.of(scenario.spec.kind).holds()},
+          {"potential", entry.has_potential(scenario.joints.front().spec.kind)},
+          {"balanced", entry.facts.moment_balance.of(scenario.joints.front().spec.kind).holds()},
           {"periods", run.periods},
           {"steps", run.steps},
           {"ending", run.ending},
@@ -81,12 +81,11 @@ json stability_energy_record() {
   const d::DriftSettings settings;
   json out = {{"integrator",
                {{"order", settings.order == d::Order::two ? 2 : 4},
-                {"steps_per_fastest", settings.steps_per_fastest},
-                {"periods", settings.periods}}}};
-  for (const Kind kind : {Kind::angular, Kind::linear_angular}) {
+                {"steps_per_fastest", settings.steps_per_fastest}}}};
+  for (const verify::Motion motion : verify::kMotions) {
     const Entry& first = entries.front();
-    out["scenarios"].push_back(scenario_row(verify::motion_scenario(first, kind), first));
-    for (const Entry& entry : entries) out["runs"].push_back(run_row(entry, kind));
+    out["scenarios"].push_back(scenario_row(verify::motion_scenario(first, motion), first));
+    for (const Entry& entry : entries) out["runs"].push_back(run_row(entry, motion));
   }
   for (const Entry& entry : entries) {
     for (const Kind kind : verify::kKinds) out["loops"].push_back(loop_row(entry, kind));

@@ -7,7 +7,7 @@ namespace halfway::reports {
 
 /// Of the studies that the findings are of:
 ///   scenarios  [{name, title, kind, period (s, of the slowest mode), frequencies (rad/s, ascending)}]
-///   integrator {order, steps_per_fastest, periods}
+///   integrator {order, steps_per_fastest}
 ///   runs       [{formulation, scenario, potential, balanced (facts: the moments do), periods reached, steps,
 ///              ending (empty: all periods), largest, trend (per period) of the relative energy change,
 ///              linear, angular (momentum drift over that of the whole energy; null where a body is clamped),

@@ -58,6 +58,8 @@ std::vector<Vec6> imbalances(const Entry& entry, const chain::Chain& c, const ch
   const Mat3<double> R = chain::pose(nodes.back()).R;
   out.back().head<3>() -= loads.force + R * loads.follower_force;
   out.back().tail<3>() -= loads.moment + R * loads.follower_moment;
+  for (int k = 0; k < 3; ++k)  // dead forces, one at a unit of each axis of the node
+    out.back().tail<3>() -= R.col(k).cross(loads.virial.col(k));
   return out;
 }
 
@@ -72,15 +74,6 @@ Measurement worst_imbalance(const chain::Chain& c, const std::vector<Vec6>& all)
                   fmt::format("moment, node {}", i));
   }
   return worst;
-}
-
-/// Turned, shifted, pre-curved, under loads of every type.
-std::pair<chain::Chain, chain::EndLoads> generic(const Entry& entry, chain::NodeOrder order) {
-  chain::Chain c = chain_with(chain_scene("precurved_anisotropic"), entry, 12);
-  c.length = 1.3;
-  c.node_order = order;
-  c.root = {{1, -2, 0.5}, so3::exp<double>({0.4, -0.7, 1.1})};
-  return {c, {{-0.5, 0.4, 0.7}, {0.2, -0.6, 0.3}, {0.5, -0.5, 0.3}, {-0.3, 0.4, 0.6}}};
 }
 
 Finding judged_balance(const Entry& entry, const std::string& what, const chain::Chain& c,
@@ -99,7 +92,7 @@ Finding judged_balance(const Entry& entry, const std::string& what, const chain:
 /// Both ends held: what the support is said to do is what the last joint needs, at the pose that was asked
 /// for.
 std::vector<Finding> held(const Entry& entry) {
-  const chain::Chain c = generic(entry, chain::NodeOrder::root_first).first;
+  const chain::Chain c = generic_chain(entry);
   Pose<double> last = chain::pose(chain::at_rest(c).back());
   last.x += Vec3<double>(-0.05, 0.1, 0.03);
   last.R = so3::exp<double>({0.2, -0.3, 0.25}) * last.R;
@@ -125,7 +118,13 @@ std::vector<Finding> held(const Entry& entry) {
 std::vector<Finding> balanced(const Entry& entry) {
   std::vector<Finding> out;
   for (const auto order : {chain::NodeOrder::root_first, chain::NodeOrder::tip_first}) {
-    const auto [c, loads] = generic(entry, order);
+    chain::Chain c = generic_chain(entry);
+    c.node_order = order;
+    const chain::EndLoads loads{.force = {-0.5, 0.4, 0.7},
+                                .follower_force = {0.2, -0.6, 0.3},
+                                .moment = {0.5, -0.5, 0.3},
+                                .follower_moment = {-0.3, 0.4, 0.6},
+                                .virial = kDeadForces};
     const char* what = order == chain::NodeOrder::root_first ? "root_first" : "tip_first";
     out.push_back(judged_balance(entry, what, c, loads, chain::solve(c, loads)));
   }

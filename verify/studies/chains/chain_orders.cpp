@@ -14,20 +14,13 @@ namespace {
 
 namespace chain = reference::chain;
 
-/// rod34 with stiff axes needs some: its axial strain is quadratic in the rotation.
-constexpr int kMostSteps = 64;
-
 ChainPoint point_of(const reference::Entry& entry, const ChainRod& rod, chain::NodeOrder order, long links) {
   chain::Chain asked = chain_with(*rod.scene, entry, links);
   asked.node_order = order;
   const double start = thread_seconds();
+  const chain::Solution found = chain::solve(asked, rod.loads);
   ChainPoint out{links};
-  chain::Settings settings;
-  chain::Solution found;
-  for (; !found.converged && settings.load_steps <= kMostSteps; settings.load_steps *= 4) {
-    found = chain::solve(asked, rod.loads, settings);
-    out.iterations += int(found.iterations.size());
-  }
+  out.iterations = int(found.iterations.size());
   out.seconds = thread_seconds() - start;
   if (found.converged && reference::beyond_series(entry, asked, found.nodes).empty())
     out.miss = tapped((chain::pose(found.nodes.back()).x - rod.tip) / asked.length);

@@ -57,4 +57,14 @@ reference::chain::Chain chain_with(const ChainScene& scene, const reference::Ent
   return out;
 }
 
+reference::chain::Chain generic_chain(const reference::Entry& entry) {
+  reference::chain::Chain out = chain_with(chain_scene("precurved_anisotropic"), entry, 12);
+  out.length = 1.3;
+  out.root = {{1, -2, 0.5}, so3::exp<double>({0.4, -0.7, 1.1})};
+  return out;
+}
+
+const Mat3<double> kDeadForces =
+    (Mat3<double>() << 0.2, -0.3, 0.1, 0.4, -0.1, 0.25, -0.15, 0.2, 0.3).finished();
+
 }  // namespace halfway::verify

@@ -31,4 +31,9 @@ const reference::ChainScene& chain_scene(const std::string& name);
 reference::chain::Chain chain_with(const reference::ChainScene& scene, const reference::Entry& entry,
                                    long links);
 
+/// Twelve links, turned, shifted and pre-curved.
+reference::chain::Chain generic_chain(const reference::Entry& entry);
+/// A virial of dead forces on its last node, N m.
+extern const Mat3<double> kDeadForces;
+
 }  // namespace halfway::verify

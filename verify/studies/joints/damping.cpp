@@ -170,17 +170,19 @@ std::vector<Finding> forgotten_spin() {
 std::vector<Finding> decay() {
   const Entry& entry = *reference::find_formulation("conformal");
   const d::Scenario scenario = d::free_scenario(entry);
-  d::System system = d::elastic_system(entry, scenario.spec, scenario.bodies);
-  const Eigen::Matrix<double, 6, 6> C = 0.05 * std::get<reference::LinearSpec>(scenario.spec.law).matrix;
+  const reference::JointSpec& spec = scenario.joints.front().spec;
+  d::System system = d::elastic_system(entry, scenario.joints, scenario.bodies);
+  const Eigen::Matrix<double, 6, 6> C = 0.05 * std::get<reference::LinearSpec>(spec.law).matrix;
   const auto damper = [&](const d::State& s) {
     const auto twist = [&](std::size_t i) -> Twist<double> {
       return {velocity(scenario.bodies[i], s[i]), spin(scenario.bodies[i], s[i])};
     };
-    return damping<Kind::linear_angular>(StrainRate{Conformal{}}, C, scenario.spec.a, scenario.spec.b,
-                                         d::node_pose(s[0]), d::node_pose(s[1]), twist(0), twist(1));
+    return damping<Kind::linear_angular>(StrainRate{Conformal{}}, C, spec.a, spec.b, d::node_pose(s[0]),
+                                         d::node_pose(s[1]), twist(0), twist(1));
   };
-  system.loads = [elastic = system.loads, damper](const d::State& s) -> d::Loads {
-    return elastic(s) + damper(s).q;
+  system.loads = [elastic = system.loads, damper](const d::State& s, d::Loads& sum) {
+    elastic(s, sum);
+    sum += damper(s).q;
   };
   system.dissipation = [damper](const d::State& s) { return damper(s).law_power; };
   const double before = energy(system, scenario.start);

@@ -1,8 +1,8 @@
 // The integrators themselves, against motions that are known in closed form and against each other.
-#include "reference/solve/dynamics/drift.hpp"
 #include "reference/solve/dynamics/runge_kutta.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
+#include "verify/studies/motion/energy.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_elljac.h>
@@ -25,7 +25,7 @@ Finding limited(const std::string& name, double value, double limit, Oracle orac
 /// Positions (m), orientations (rad) and momenta apart, the largest.
 double distance(const State& s, const State& t) {
   double out = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
     keep_largest(out, (tapped(s[i].x) - t[i].x).norm());
     keep_largest(out, (tapped(d::orientation(s[i].q)) - d::orientation(t[i].q)).norm());
     keep_largest(out, (tapped(s[i].p) - t[i].p).norm());
@@ -38,7 +38,7 @@ double distance(const State& s, const State& t) {
 struct FreeBody {
   d::Body body{1, {1, 2, 3}, false};
   System system = d::free_system({d::Body{1, {1, 1, 1}, true}, body});
-  State start;
+  State start = State(2);
   FreeBody() {
     start[1].q = d::Vec4(0.4, 0.3, -0.5, 0.2).normalized();
     set_motion(body, {0.3, -0.2, 0.1}, d::orientation(start[1].q) * Vec3<double>(1, 0, 1), start[1]);
@@ -85,16 +85,18 @@ Finding harmonic(bool translation, bool splitting) {
   constexpr double kStiffness = 5, kAmplitude = 0.5, kTime = 20;
   const Entry& entry = *reference::find_formulation("invariant");
   d::Scenario s;
-  s.spec.kind = translation ? Kind::linear_angular : Kind::angular;
-  const int n = strain_count(s.spec.kind);
-  s.spec.law = reference::LinearSpec{kStiffness * Eigen::MatrixXd::Identity(n, n), false};
+  s.joints.resize(1), s.start.resize(2);
+  JointSpec& spec = s.joints.front().spec;
+  spec.kind = translation ? Kind::linear_angular : Kind::angular;
+  const int n = strain_count(spec.kind);
+  spec.law = reference::LinearSpec{kStiffness * Eigen::MatrixXd::Identity(n, n), false};
   s.bodies = {d::Body{1, {1, 1, 1}, true}, d::Body{2, {1.5, 2, 2.5}, false}};
   const double omega = std::sqrt(kStiffness / (translation ? 2 : 2.5));
   if (translation)
     s.start[1].x = {kAmplitude, 0, 0};
   else
     s.start[1].q = {std::cos(kAmplitude / 2), 0, 0, std::sin(kAmplitude / 2)};
-  const System system = elastic_system(entry, s.spec, s.bodies);
+  const System system = elastic_system(entry, s.joints, s.bodies);
   State end = s.start;
   if (splitting)
     advance(system, Order::four, kTime / 8000, 8000, end);
@@ -113,25 +115,27 @@ std::vector<Finding> harmonics() {
   return {harmonic(true, false), harmonic(true, true), harmonic(false, false), harmonic(false, true)};
 }
 
-d::Scenario scenario_of(const Entry& entry, bool free) {
-  return free ? d::free_scenario(entry) : d::clamped_scenario(entry);
-}
+/// A scenario and how the order of the integrator shows.
+struct Asked {
+  Motion motion;
+  double time;     ///< s
+  long two, four;  ///< steps of either order; then twice as many
+};
 
 /// Order in the step, against Runge-Kutta at a tolerance whose own error is smaller.
-std::vector<Finding> order(bool free) {
+std::vector<Finding> order(const Asked& asked) {
   const Entry& entry = *reference::find_formulation("conformal");
-  const auto s = scenario_of(entry, free);
-  const System system = elastic_system(entry, s.spec, s.bodies);
-  constexpr double kTime = 6;
-  const State exact = d::runge_kutta(system, s.start, kTime, 1e-14).state;
+  const auto s = motion_scenario(entry, asked.motion);
+  const System system = elastic_system(entry, s.joints, s.bodies);
+  const State exact = d::runge_kutta(system, s.start, asked.time, 1e-14).state;
   std::vector<Finding> out;
   for (Order order : {Order::two, Order::four}) {
     const auto error = [&](long steps) {
       State state = s.start;
-      advance(system, order, kTime / double(steps), steps, state);
+      advance(system, order, asked.time / double(steps), steps, state);
       return distance(state, exact);
     };
-    const long steps = order == Order::two ? 1600 : 800;
+    const long steps = order == Order::two ? asked.two : asked.four;
     const double coarse = error(steps), fine = error(2 * steps);
     out.push_back(
         finding(fmt::format("dynamics/order/{}/{}", s.name, order == Order::two ? "two" : "four"))
@@ -145,10 +149,10 @@ std::vector<Finding> order(bool free) {
 }
 
 /// The tolerance of a step against what is left of it at the end.
-std::vector<Finding> tolerances(bool free) {
+std::vector<Finding> tolerances(Motion motion) {
   const Entry& entry = *reference::find_formulation("conformal");
-  const auto s = scenario_of(entry, free);
-  const System system = elastic_system(entry, s.spec, s.bodies);
+  const auto s = motion_scenario(entry, motion);
+  const System system = elastic_system(entry, s.joints, s.bodies);
   constexpr double kTime = 30;
   const State exact = d::runge_kutta(system, s.start, kTime, 1e-14).state;
   std::vector<Finding> out;
@@ -169,7 +173,7 @@ std::vector<Finding> reversal() {
   std::vector<Finding> out;
   for (const Entry& entry : reference::formulations()) {
     const auto s = d::free_scenario(entry);
-    const System system = elastic_system(entry, s.spec, s.bodies);
+    const System system = elastic_system(entry, s.joints, s.bodies);
     State state = s.start;
     advance(system, Order::four, 0.02, 500, state);
     advance(system, Order::four, -0.02, 500, state);
@@ -188,10 +192,14 @@ std::vector<Finding> reversal() {
 void dynamics(Checks& checks) {
   checks.push_back({"dynamics/free_body", "stability", free_body});
   checks.push_back({"dynamics/harmonic", "stability", harmonics});
-  for (const bool free : {false, true}) {
-    const std::string name = free ? "free" : "clamped";
-    checks.push_back({"dynamics/order/" + name, "stability", [free] { return order(free); }});
-    checks.push_back({"dynamics/tolerance/" + name, "stability", [free] { return tolerances(free); }});
+  static constexpr Asked kAsked[] = {
+      {Motion::clamped, 6, 1600, 800}, {Motion::free, 6, 1600, 800}, {Motion::chain, 0.25, 1600, 800}};
+  for (const Asked& asked : kAsked) {
+    const std::string name = motion_scenario(reference::formulations().front(), asked.motion).name;
+    checks.push_back({"dynamics/order/" + name, "stability", [&asked] { return order(asked); }});
+    if (asked.motion == Motion::chain) continue;
+    checks.push_back(
+        {"dynamics/tolerance/" + name, "stability", [&asked] { return tolerances(asked.motion); }});
   }
   checks.push_back({"dynamics/reversal", "stability", reversal});
 }

@@ -7,11 +7,19 @@
 
 namespace halfway::verify {
 
-/// A body on a clamped joint where the kind is angular, else two free ones.
-reference::dynamics::Scenario motion_scenario(const Entry& entry, Kind kind);
+/// What moves.
+enum class Motion {
+  clamped,  ///< a body on an angular joint to a clamped node
+  free,     ///< two bodies on a linear/angular joint
+  chain     ///< sixteen links
+};
+inline constexpr Motion kMotions[] = {Motion::clamped, Motion::free, Motion::chain};
 
-/// @param kind  angular or linear_angular
-const reference::dynamics::Drift& long_motion(const Entry& entry, Kind kind);
+Kind kind_of(Motion motion);
+reference::dynamics::Scenario motion_scenario(const Entry& entry, Motion motion);
+
+/// Over all periods, or fewer where the effort is quick.
+const reference::dynamics::Drift& long_motion(const Entry& entry, Motion motion);
 
 /// Work round a loop at small amplitudes, at 50 digits.
 struct SmallLoops {

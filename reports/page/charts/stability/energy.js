@@ -104,7 +104,8 @@ export function energyFigure(results) {
       {},
       `Symplectic splitting of order ${order}, ${steps} steps in the fastest period. With a potential the change is the integrator’s own and stays bounded; without one it is the joint’s: kinetic energy and the law’s own. `,
       'Of one body on a clamped joint it wanders within bounds; of two free bodies, whose motion ' +
-        'is chaotic, it grows: a cross marks where a run had to end.'
+        'is chaotic, it grows, and of a chain, whose every joint makes some, within a few periods of its slowest ' +
+        'mode: a cross marks where a run had to end.'
     ),
     panel.table
   );
