@@ -5,29 +5,55 @@
 #include "reference/scene/scene_head.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
 namespace halfway::reference {
 namespace {
 
-constexpr const char* kLoadTypes[] = {"fixed_moment", "follower_moment", "fixed_force"};
+constexpr const char* kLoadTypes[] = {"fixed_moment",   "follower_moment",        "fixed_force",
+                                      "follower_force", "semi_tangential_moment", "quasi_tangential_moment"};
 
-SceneLoad scene_load(const Field& load, Kind kind) {
-  load.has_only({"type", "value", "point"});
+/// Of the pair of forces: across their moment while nothing is strained, which is where the node's axes are
+/// the joint's.
+void read_arm(const Field& load, const JointSpec& joint, SceneLoad& out) {
+  constexpr const char* kArm = "3 numbers, axes of node b: the direction of the arm, across the moment";
+  const auto arm = load.find("arm");
+  if (out.type != LoadType::quasi_tangential_moment) {
+    if (arm) arm->refuse("is an arm of another load", "arm beside quasi_tangential_moment only");
+    return;
+  }
+  const Field field = load.at("arm", kArm);
+  out.arm = field.vector<3>(kArm);
+  const double length = out.arm.norm();
+  if (!(length > 0)) field.refuse("has no direction", kArm);
+  out.arm /= length;
+  const Vec3<double> in_space = joint.a.H * joint.b.H.transpose() * out.arm;
+  if (!(std::abs(in_space.dot(out.value)) <= 1e-9 * out.value.norm()))
+    field.refuse("is not across the moment while the joint is unstrained", kArm);
+}
+
+}  // namespace
+
+SceneLoad read_scene_load(const Field& load, const JointSpec& joint) {
   const NamedLoad read = read_load(load, Names(std::begin(kLoadTypes), std::end(kLoadTypes)));
   SceneLoad out{LoadType(read.type), read.value};
-  if (kind == Kind::linear && out.type != LoadType::fixed_force) {
+  if (joint.kind == Kind::linear && !is_force(out.type)) {
     load.find("type")->refuse("loads a joint that resists no rotation (joint.kind = \"linear\")",
-                              "fixed_force");
+                              "fixed_force, follower_force");
   }
   if (const auto point = load.find("point")) {
-    if (out.type != LoadType::fixed_force)
-      point->refuse("is a point of a moment", "point beside fixed_force only");
+    if (!is_force(out.type))
+      point->refuse("is a point of a moment", "point beside fixed_force, follower_force only");
     out.point = point->vector<3>("3 numbers, m, axes of node b");
   }
+  read_arm(load, joint, out);
+  if (const auto held = load.find("held")) out.held = held->boolean();
   return out;
 }
+
+namespace {
 
 std::vector<std::string> outputs_of(Kind kind) {
   const std::vector<std::string> rotations = {"theta_x", "theta_y", "theta_z"};
@@ -101,7 +127,10 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path) {
   }
   scene.joint = read_joint(joint);
   scene.has_length = read_rod(joint, scene.joint);
-  for (const Field load : loads_of(file)) scene.loads.push_back(scene_load(load, scene.joint.kind));
+  for (const Field load : loads_of(file)) {
+    load.has_only(kLoadKeys);
+    scene.loads.push_back(read_scene_load(load, scene.joint));
+  }
   read_joint_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);
   read_references(file, {}, scene);

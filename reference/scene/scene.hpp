@@ -18,16 +18,28 @@ struct SceneError : std::runtime_error {
 };
 
 enum class LoadType {
-  fixed_moment,     ///< moment on node b, global axes, N m
-  follower_moment,  ///< moment on node b, axes of node b, N m
-  fixed_force       ///< force on node b, global axes, N, at `point` in the axes of node b, m
+  fixed_moment,            ///< moment on node b, global axes, N m
+  follower_moment,         ///< moment on node b, axes of node b, N m
+  fixed_force,             ///< force on node b, global axes, N, at `point` in the axes of node b, m
+  follower_force,          ///< force on node b, axes of node b, N, at `point` likewise
+  semi_tangential_moment,  ///< four dead forces on a cross fixed to node b, see halfway/equilibrium; N m
+  quasi_tangential_moment  ///< a pair of dead forces on an arm fixed to node b; N m
 };
+inline bool is_force(LoadType type) {
+  return type == LoadType::fixed_force || type == LoadType::follower_force;
+}
+/// Is the value given in axes of the node?
+inline bool follows(LoadType type) {
+  return type == LoadType::follower_moment || type == LoadType::follower_force;
+}
 const char* to_string(LoadType type);
 
 struct SceneLoad {
   LoadType type = LoadType::fixed_moment;
   Vec3<double> value = Vec3<double>::Zero();  ///< at load factor 1
   Vec3<double> point = Vec3<double>::Zero();
+  Vec3<double> arm = Vec3<double>::UnitX();  ///< of a quasi_tangential_moment, axes of node b
+  bool held = false;                         ///< in full from load factor 0 on
 };
 
 /// One reference value of the scene: output at a load factor.
