@@ -50,8 +50,8 @@ NamedLoad read_load(const Field& load, const Names& types);
 /// The keys of read_scene_load.
 inline const Names kLoadKeys = {"type", "value", "point", "arm", "held"};
 
-/// A load on node b of a joint that is read. Throws Refusal.
-SceneLoad read_scene_load(const Field& load, const JointSpec& joint);
+/// A load on a node that moves as a loaded one of that kind, at rest in the orientation R. Throws Refusal.
+SceneLoad read_scene_load(const Field& load, Kind kind, const Mat3<double>& R);
 
 /// The whole of a file that has a joint. Throws Refusal.
 Scene joint_scene(const Field& file, const std::filesystem::path& path);

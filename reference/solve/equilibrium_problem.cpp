@@ -38,9 +38,14 @@ NodeLoad<T> node_load(const SceneLoad& load, const Mat3<T>& R) {
   return out;
 }
 
+/// Frames are orthonormal in double; where that is no rounding, the nearest rotation.
 template <class T>
 JointEnd<T> cast_end(const JointEnd<double>& e) {
-  return {e.o.template cast<T>(), e.H.template cast<T>()};
+  const Mat3<T> H = e.H.template cast<T>();
+  if constexpr (std::is_same_v<T, double>)
+    return {e.o, H};
+  else
+    return {e.o.template cast<T>(), so3::matrix<T>(so3::quaternion<T>(H))};
 }
 
 /// fn(std::integral_constant<Kind, kind>{})
