@@ -87,7 +87,7 @@ class Equations {
   const Holds<T>& holds_;
   T factor_;
   State<T> state_;
-  Matrix<T> K_, G_, F_, J_, inverse_;  ///< F: the loads of what motions exert; J as Newton solves it
+  Matrix<T> K_, G_, F_, inverse_;  ///< F: the loads of what motions exert; the inverse of [K, -F; G, 0]
   Vector<T> imbalance_, rounding_, by_factor_, step_;
   T acting_{0}, carried_{0};
   int sign_ = 0;

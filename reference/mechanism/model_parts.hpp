@@ -103,54 +103,78 @@ Seen<T> Model<T>::seen(const JointModel<T>& joint, const Poses<T>& at) const {
   return out;
 }
 
-/// (dx, psi) of a body -> those of a joint point on it, axes A; loads go back by the transpose.
+/// The twelve rows or columns of a joint in blocks of three: 50 digits have such products compiled.
 template <class T>
-Mat6<T> to_point(const Node<T>& node, const Vec3<T>& r) {
-  Mat6<T> out = Mat6<T>::Zero();
-  out.template topLeftCorner<3, 3>() = out.template bottomRightCorner<3, 3>() = node.U;
-  out.template topRightCorner<3, 3>() = -skew<T>(r) * node.U;
-  return out;
+Mat3<T> block(const Eigen::Matrix<T, 12, 12>& m, int i, int j) {
+  return m.template block<3, 3>(3 * i, 3 * j);
+}
+template <class T>
+Vec3<T> block(const Eigen::Matrix<T, 12, 1>& v, int i) {
+  return v.template segment<3>(3 * i);
+}
+
+/// From the joint's points, axes A, to the bodies' reference points and axes: d(x_point) = U dx - [r] U psi,
+/// and loads by the transpose.
+template <class T>
+void carry_tangent(const Eigen::Matrix<T, 12, 12>& K, const Node<T>* const nodes[2],
+                   const Vec3<T>* const arms[2], JointLoads<T>& out) {
+  for (int i = 0; i < 2; ++i) {
+    const Mat3<T> U_i = nodes[i]->U.transpose(), r_i = skew<T>(*arms[i]);
+    for (int j = 0; j < 2; ++j) {
+      const Mat3<T>&U_j = nodes[j]->U, r_j = skew<T>(*arms[j]);
+      const Mat3<T> f_x = block<T>(K, 2 * i, 2 * j), m_x = block<T>(K, 2 * i + 1, 2 * j);
+      const Mat3<T> f_w = block<T>(K, 2 * i, 2 * j + 1) - f_x * r_j;
+      const Mat3<T> m_w = block<T>(K, 2 * i + 1, 2 * j + 1) - m_x * r_j + r_i * f_w;
+      const auto set = [&](int row, int column, const Mat3<T>& part) {
+        out.tangent.template block<3, 3>(6 * i + 3 * row, 6 * j + 3 * column) = U_i * (part * U_j);
+      };
+      set(0, 0, f_x), set(0, 1, f_w), set(1, 0, Mat3<T>(m_x + r_i * f_x)), set(1, 1, m_w);
+    }
+  }
 }
 
 template <class T>
 JointLoads<T> Model<T>::loads(const JointModel<T>& joint, const Poses<T>& at) const {
   using Vec12 = Eigen::Matrix<T, 12, 1>;
-  using Mat12 = Eigen::Matrix<T, 12, 12>;
-  const Seen<T> seen_now = seen(joint, at);
-  const NodeLoads<T> own = node_loads<T>(entry_, joint.spec, {}, seen_now.pose, true);
-  Vec12 q, size;
-  Mat12 K;
+  const Seen<T> now = seen(joint, at);
+  const Mat3<T> back = now.S_a.transpose();
+  NodeLoads<T> own = node_loads<T>(entry_, joint.spec, {}, now.pose, true);  // axes of P_a, then of A
   for (int i = 0; i < 4; ++i) {
-    q.template segment<3>(3 * i) = seen_now.S_a * own.q.template segment<3>(3 * i);
+    own.q.template segment<3>(3 * i) = now.S_a * block<T>(own.q, i);
     for (int j = 0; j < 4; ++j)
-      K.template block<3, 3>(3 * i, 3 * j) =
-          seen_now.S_a * Mat3<T>(own.tangent.template block<3, 3>(3 * i, 3 * j)) * seen_now.S_a.transpose();
+      own.tangent.template block<3, 3>(3 * i, 3 * j) = now.S_a * (block<T>(own.tangent, i, j) * back);
   }
   const Node<T>* const nodes[] = {&joint.a, &joint.b};
-  const Vec3<T>* const arms[] = {&seen_now.r_a, &seen_now.r_b};
-  JointLoads<T> out;
-  Mat12 points = Mat12::Zero();
+  const Vec3<T>* const arms[] = {&now.r_a, &now.r_b};
+  Vec12 size, rounding;  // what the nodes have moved, and what rounds of the loads
   for (int i = 0; i < 2; ++i) {
     const Pose<T>& body = at[std::size_t(nodes[i]->body)];
-    const T turn = so3::log<T>(body.R).norm();
-    const Vec3<T> shift = (nodes[i]->U * body.x).cwiseAbs();
-    size.template segment<3>(6 * i) = shift.array() + turn * nodes[i]->arm.norm();
-    size.template segment<3>(6 * i + 3) = Vec3<T>(nodes[i]->U * so3::log<T>(body.R)).cwiseAbs();
-    points.template block<6, 6>(6 * i, 6 * i) = to_point(*nodes[i], *arms[i]);
+    const Vec3<T> theta = nodes[i]->U * so3::log<T>(body.R);
+    const T swing = theta.norm() * nodes[i]->arm.norm();
+    size.template segment<3>(6 * i) = Vec3<T>(nodes[i]->U * body.x).cwiseAbs() + Vec3<T>::Constant(swing);
+    size.template segment<3>(6 * i + 3) = theta.cwiseAbs();
   }
   size.template segment<3>(6) += joint.gap.cwiseAbs();
-  if (!joint.misfit.isIdentity(T(0))) size.template tail<3>().array() += T(1);
-  // What rounds in the node's own axes is seen in others', by its size; a small angle rounds small.
-  constexpr int kRoundings = 8;
-  const Vec12 rounding =
-      T(kRoundings) * Eigen::NumTraits<T>::epsilon() * (q.cwiseAbs() + K.cwiseAbs() * size);
-  out.load = points.transpose() * q;
-  out.rounding = points.cwiseAbs().transpose() * rounding;
-  out.tangent = points.transpose() * K * points;
-  for (int i = 0; i < 2; ++i) {  // the arms turn with their bodies: d(r) x f = [f][r] w
-    const Vec3<T> f = q.template segment<3>(6 * i);
-    out.tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
-        nodes[i]->U.transpose() * skew<T>(f) * skew<T>(*arms[i]) * nodes[i]->U;
+  if (!joint.misfit.isIdentity(T(0))) size.template tail<3>() += Vec3<T>::Ones();
+  constexpr int kRoundings = 8;  // as rounding_of() in halfway/equilibrium
+  for (int i = 0; i < 4; ++i) {
+    Vec3<T> sum = block<T>(own.q, i).cwiseAbs();
+    for (int j = 0; j < 4; ++j) sum += Mat3<T>(block<T>(own.tangent, i, j).cwiseAbs()) * block<T>(size, j);
+    rounding.template segment<3>(3 * i) = T(kRoundings) * Eigen::NumTraits<T>::epsilon() * sum;
+  }
+  JointLoads<T> out;
+  carry_tangent(own.tangent, nodes, arms, out);
+  for (int i = 0; i < 2; ++i) {
+    const Mat3<T> back_i = nodes[i]->U.transpose(), size_i = back_i.cwiseAbs(), r = skew<T>(*arms[i]);
+    const Vec3<T> f = block<T>(own.q, 2 * i), m = block<T>(own.q, 2 * i + 1);
+    const Vec3<T> df = block<T>(rounding, 2 * i), dm = block<T>(rounding, 2 * i + 1);
+    out.load.template segment<3>(6 * i) = back_i * f;
+    out.load.template segment<3>(6 * i + 3) = back_i * Vec3<T>(m + r * f);
+    out.rounding.template segment<3>(6 * i) = size_i * df;
+    out.rounding.template segment<3>(6 * i + 3) = size_i * Vec3<T>(dm + Mat3<T>(r.cwiseAbs()) * df);
+    // The arms turn with their bodies: d(r) x f = [f][r] w.
+    const Mat3<T> turns = back_i * (skew<T>(f) * r * nodes[i]->U);
+    out.tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) += turns;
   }
   return out;
 }
