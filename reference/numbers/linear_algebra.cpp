@@ -5,6 +5,7 @@
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_linalg.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -49,7 +50,8 @@ std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& matrix) {
 
 SingularValues singular_values(const Eigen::MatrixXd& matrix) {
   gsl_set_error_handler_off();
-  RowMajor u = RowMajor::Zero(matrix.cols(), matrix.cols()), v = u;
+  RowMajor u = RowMajor::Zero(std::max(matrix.rows(), matrix.cols()), matrix.cols());
+  RowMajor v = RowMajor::Zero(matrix.cols(), matrix.cols());
   u.topRows(matrix.rows()) = matrix;
   SingularValues out{Eigen::VectorXd(matrix.cols()), {}};
   gsl_matrix_view u_view = view(u), v_view = view(v);

@@ -1,6 +1,7 @@
 #include "reference/scene/chain_scene.hpp"
 
 #include "reference/scene/read_joint.hpp"
+#include "reference/scene/read_mechanism.hpp"
 #include "reference/scene/scene_head.hpp"
 
 #include <cmath>
@@ -129,26 +130,35 @@ ChainScene chain_of(const Field& file, const std::filesystem::path& path) {
   return scene;
 }
 
+/// Of a folder of scenes_folder(), where there is one.
+template <class AScene>
+std::vector<AScene> scenes_of(const char* name, AScene (*read)(const Field&, const std::filesystem::path&)) {
+  std::vector<AScene> out;
+  const auto folder = scenes_folder() / name;
+  if (!std::filesystem::is_directory(folder)) return out;
+  for (const auto& path : scene_files(folder)) {
+    read_scene_file(path,
+                    [&](const Field& file) -> SceneHead& { return out.emplace_back(read(file, path)); });
+  }
+  return out;
+}
+
 }  // namespace
 
 AnyScene read_any_scene(const std::filesystem::path& path) {
   AnyScene out;
   read_scene_file(path, [&](const Field& file) -> SceneHead& {
     if (file.find("chain")) return out.emplace<ChainScene>(chain_of(file, path));
+    if (is_mechanism(file)) return out.emplace<MechanismScene>(mechanism_scene(file, path));
     return out.emplace<Scene>(joint_scene(file, path));
   });
   return out;
 }
 
-std::vector<ChainScene> chain_scenes() {
-  std::vector<ChainScene> out;
-  const auto folder = scenes_folder() / "chains";
-  if (!std::filesystem::is_directory(folder)) return out;
-  for (const auto& path : scene_files(folder)) {
-    read_scene_file(path,
-                    [&](const Field& file) -> SceneHead& { return out.emplace_back(chain_of(file, path)); });
-  }
-  return out;
+std::vector<ChainScene> chain_scenes() { return scenes_of<ChainScene>("chains", chain_of); }
+
+std::vector<MechanismScene> mechanism_scenes() {
+  return scenes_of<MechanismScene>("mechanisms", mechanism_scene);
 }
 
 }  // namespace halfway::reference

@@ -2,32 +2,58 @@
 
 #include "reference/scene/names.hpp"
 #include "reference/scene/read_joint.hpp"
+#include "reference/scene/read_mechanism.hpp"
 #include "reference/scene/scene_head.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
 namespace halfway::reference {
 namespace {
 
-constexpr const char* kLoadTypes[] = {"fixed_moment", "follower_moment", "fixed_force"};
+constexpr const char* kLoadTypes[] = {"fixed_moment",   "follower_moment",        "fixed_force",
+                                      "follower_force", "semi_tangential_moment", "quasi_tangential_moment"};
 
-SceneLoad scene_load(const Field& load, Kind kind) {
-  load.has_only({"type", "value", "point"});
+/// Of the pair of forces: across their moment while nothing is strained.
+void read_arm(const Field& load, const Mat3<double>& R, SceneLoad& out) {
+  constexpr const char* kArm = "3 numbers, axes of node b: the direction of the arm, across the moment";
+  const auto arm = load.find("arm");
+  if (out.type != LoadType::quasi_tangential_moment) {
+    if (arm) arm->refuse("is an arm of another load", "arm beside quasi_tangential_moment only");
+    return;
+  }
+  const Field field = load.at("arm", kArm);
+  out.arm = field.vector<3>(kArm);
+  const double length = out.arm.norm();
+  if (!(length > 0)) field.refuse("has no direction", kArm);
+  out.arm /= length;
+  if (!(std::abs(out.value.dot(R * out.arm)) <= 1e-9 * out.value.norm()))
+    field.refuse("is not across the moment while the joint is unstrained", kArm);
+}
+
+}  // namespace
+
+SceneLoad read_scene_load(const Field& load, Kind kind, const Mat3<double>& R) {
   const NamedLoad read = read_load(load, Names(std::begin(kLoadTypes), std::end(kLoadTypes)));
   SceneLoad out{LoadType(read.type), read.value};
-  if (kind == Kind::linear && out.type != LoadType::fixed_force) {
-    load.find("type")->refuse("loads a joint that resists no rotation (joint.kind = \"linear\")",
-                              "fixed_force");
+  if (kind == Kind::linear && !is_force(out.type)) {
+    load.find("type")->refuse(
+        "loads a node that does not turn: its joint resists no rotation (kind = \"linear\")",
+        "fixed_force, follower_force");
   }
   if (const auto point = load.find("point")) {
-    if (out.type != LoadType::fixed_force)
-      point->refuse("is a point of a moment", "point beside fixed_force only");
+    if (!is_force(out.type))
+      point->refuse("is a point of a moment", "point beside fixed_force, follower_force only");
     out.point = point->vector<3>("3 numbers, m, axes of node b");
   }
+  read_arm(load, R, out);
+  if (const auto held = load.find("held")) out.held = held->boolean();
   return out;
 }
+
+namespace {
 
 std::vector<std::string> outputs_of(Kind kind) {
   const std::vector<std::string> rotations = {"theta_x", "theta_y", "theta_z"};
@@ -89,6 +115,7 @@ Names keys_of_joint() {
 Scene joint_scene(const Field& file, const std::filesystem::path& path) {
   if (const auto chain = file.find("chain"))
     chain->refuse("is a chain where a joint is asked for", "a table [joint]");
+  if (is_mechanism(file)) file.refuse("is a mechanism where one joint is asked for", "one table [joint]");
   Names keys = kHeadKeys;
   keys.insert(keys.end(), {"joint", "load"});
   file.has_only(keys);
@@ -101,7 +128,11 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path) {
   }
   scene.joint = read_joint(joint);
   scene.has_length = read_rod(joint, scene.joint);
-  for (const Field load : loads_of(file)) scene.loads.push_back(scene_load(load, scene.joint.kind));
+  const Mat3<double> at_rest = scene.joint.a.H * scene.joint.b.H.transpose();
+  for (const Field load : loads_of(file)) {
+    load.has_only(kLoadKeys);
+    scene.loads.push_back(read_scene_load(load, scene.joint.kind, at_rest));
+  }
   read_joint_path(file.at("path", "a table [path]"), scene);
   read_wanted(file, scene);
   read_references(file, {}, scene);
@@ -110,8 +141,30 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path) {
 
 const char* to_string(LoadType type) { return kLoadTypes[std::size_t(type)]; }
 
+std::string_view unit_of_output(std::string_view output) {
+  const std::string_view name = output.substr(output.rfind('.') + 1);
+  constexpr std::pair<std::string_view, std::string_view> kUnits[] = {{"theta_", "rad"},
+                                                                      {"u_", "m"},
+                                                                      {"x", "m"},
+                                                                      {"y", "m"},
+                                                                      {"z", "m"},
+                                                                      {"f_", "N"},
+                                                                      {"m_", "N m"},
+                                                                      {"energy", "J"},
+                                                                      {"growth", "1/s"},
+                                                                      {"strain_", ""},
+                                                                      {"frequency_", "Hz"},
+                                                                      {"eigenvalue_", ""},
+                                                                      {"critical_moment", "N m"},
+                                                                      {"critical_angle", "rad"}};
+  for (const auto& [start, unit] : kUnits) {
+    if (name.starts_with(start)) return unit;
+  }
+  return "";
+}
+
 bool is_critical(const std::string& output) {
-  return output == "critical_moment" || output == "critical_angle";
+  return output == "critical_factor" || output == "critical_moment" || output == "critical_angle";
 }
 
 Scene read_scene(const std::filesystem::path& path) {

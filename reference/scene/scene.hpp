@@ -18,16 +18,28 @@ struct SceneError : std::runtime_error {
 };
 
 enum class LoadType {
-  fixed_moment,     ///< moment on node b, global axes, N m
-  follower_moment,  ///< moment on node b, axes of node b, N m
-  fixed_force       ///< force on node b, global axes, N, at `point` in the axes of node b, m
+  fixed_moment,            ///< moment on node b, global axes, N m
+  follower_moment,         ///< moment on node b, axes of node b, N m
+  fixed_force,             ///< force on node b, global axes, N, at `point` in the axes of node b, m
+  follower_force,          ///< force on node b, axes of node b, N, at `point` likewise
+  semi_tangential_moment,  ///< four dead forces on a cross fixed to node b, see halfway/equilibrium; N m
+  quasi_tangential_moment  ///< a pair of dead forces on an arm fixed to node b; N m
 };
+inline bool is_force(LoadType type) {
+  return type == LoadType::fixed_force || type == LoadType::follower_force;
+}
+/// Is the value given in axes of the node?
+inline bool follows(LoadType type) {
+  return type == LoadType::follower_moment || type == LoadType::follower_force;
+}
 const char* to_string(LoadType type);
 
 struct SceneLoad {
   LoadType type = LoadType::fixed_moment;
   Vec3<double> value = Vec3<double>::Zero();  ///< at load factor 1
   Vec3<double> point = Vec3<double>::Zero();
+  Vec3<double> arm = Vec3<double>::UnitX();  ///< of a quasi_tangential_moment, axes of node b
+  bool held = false;                         ///< in full from load factor 0 on
 };
 
 /// One reference value of the scene: output at a load factor.
@@ -45,6 +57,12 @@ struct SceneReference {
   double xi = 0.5;  ///< of a formulation that has one
 };
 
+/// rad, m, N, N m, J, Hz or 1/s: the unit of an output of any scene; "" where it depends on more than its
+/// name.
+std::string_view unit_of_output(std::string_view output);
+
+/// critical_factor is the first load factor up to factor_end at which the tangent is singular, of scenes that
+/// ask for it (path.critical).
 /// critical_moment (N m) and critical_angle (rad): the first singular tangent under a moment about the joint
 /// axis Scene::critical_axis, counted from the unstrained pose whatever frames the nodes have. They belong to
 /// the joint, not to a load factor; `factor` is 0 for them.
@@ -58,6 +76,7 @@ struct SceneHead {
   std::string source;
   double factor_end = 1;             ///< the load factor runs from 0 to here
   int points = 20;                   ///< output points of the curve
+  bool asks_critical = false;        ///< for the first load factor of a singular tangent, critical_factor
   int critical_axis = 0;             ///< joint axis 1, 2, 3 about which critical_* are asked; 0: not asked
   std::vector<std::string> outputs;  ///< the curves' columns
   std::vector<std::string> formulations;  ///< which to solve, in the order of the file; empty: all
@@ -74,7 +93,7 @@ struct Scene : SceneHead {
 };
 
 /// Reads and checks one scene of a joint; the format is described in reference/scenes/README.md. Throws
-/// SceneError, also where the file says a chain.
+/// SceneError, also where the file says a chain or a mechanism.
 Scene read_scene(const std::filesystem::path& file);
 
 /// $HALFWAY_SCENES, or the folder of the sources that was built in.

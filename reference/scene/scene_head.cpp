@@ -81,11 +81,8 @@ Field::Items loads_of(const Field& file) {
 NamedLoad read_load(const Field& load, const Names& types) {
   const std::string name = load.at("type", fmt::format("{}", fmt::join(types, ", "))).one_of(types);
   const std::string shape = "3 numbers, N or N m";
-  const Field value = load.at("value", shape);
-  const NamedLoad out{int(std::find(types.begin(), types.end(), name) - types.begin()),
-                      value.vector<3>(shape)};
-  if (out.value.isZero(0)) value.refuse("loads nothing", "a load that is not zero");
-  return out;
+  return {int(std::find(types.begin(), types.end(), name) - types.begin()),
+          load.at("value", shape).vector<3>(shape)};
 }
 
 void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read) {

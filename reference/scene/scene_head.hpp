@@ -40,12 +40,18 @@ void read_references(const Field& file, std::string_view truth, SceneHead& out);
 /// The tables [[load]], of which there is one at least.
 Field::Items loads_of(const Field& file);
 
-/// A load of the names `types`: which it is, counted from 0, and its value, which is not zero.
+/// A load of the names `types`: which it is, counted from 0, and its value.
 struct NamedLoad {
   int type;
   Vec3<double> value;
 };
 NamedLoad read_load(const Field& load, const Names& types);
+
+/// The keys of read_scene_load.
+inline const Names kLoadKeys = {"type", "value", "point", "arm", "held"};
+
+/// A load on a node that moves as a loaded one of that kind, at rest in the orientation R. Throws Refusal.
+SceneLoad read_scene_load(const Field& load, Kind kind, const Mat3<double>& R);
 
 /// The whole of a file that has a joint. Throws Refusal.
 Scene joint_scene(const Field& file, const std::filesystem::path& path);

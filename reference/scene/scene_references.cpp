@@ -105,6 +105,7 @@ void check_truth(const std::string& name, const Field& set) {
 void check_output(const Field& value, const std::string& output, bool has_factor, const SceneHead& scene) {
   std::vector<std::string> outputs = scene.outputs;
   if (scene.critical_axis != 0) outputs.insert(outputs.end(), {"critical_moment", "critical_angle"});
+  if (scene.asks_critical) outputs.emplace_back("critical_factor");
   if (std::find(outputs.begin(), outputs.end(), output) == outputs.end()) {
     value.refuse("is of an output that this scene does not have",
                  fmt::format("{}", fmt::join(outputs, ", ")));

@@ -23,13 +23,29 @@ NodeLoad<T> node_load(const SceneLoad& load, const Mat3<T>& R) {
       out.force = R * value;
       out.point = load.point.cast<T>();
       break;
+    case LoadType::follower_force:
+      out.follower_force = value;
+      out.point = load.point.cast<T>();
+      break;
+    case LoadType::semi_tangential_moment:
+      out.semi_tangential_moment = R * value;
+      break;
+    case LoadType::quasi_tangential_moment:
+      out.quasi_tangential_moment = R * value;
+      out.arm = load.arm.cast<T>();
+      break;
   }
   return out;
 }
 
+/// Frames are orthonormal in double; where that is no rounding, the nearest rotation.
 template <class T>
 JointEnd<T> cast_end(const JointEnd<double>& e) {
-  return {e.o.template cast<T>(), e.H.template cast<T>()};
+  const Mat3<T> H = e.H.template cast<T>();
+  if constexpr (std::is_same_v<T, double>)
+    return {e.o, H};
+  else
+    return {e.o.template cast<T>(), so3::matrix<T>(so3::quaternion<T>(H))};
 }
 
 /// fn(std::integral_constant<Kind, kind>{})
@@ -60,9 +76,12 @@ EquilibriumProblem<T>::EquilibriumProblem(const Scene& scene, const Entry& entry
   clamped_.x = setting.frame_shift.cast<T>();
   clamped_.R = so3::exp<T>(setting.frame_turn.cast<T>());
   const Mat3<T> frame = clamped_.R * a_.H;
-  load_.on_a = exchanged_;
-  for (const SceneLoad& load : scene.loads)
-    load_ += joint_load<T>(spec_.kind, node_load<T>(load, clamped_.R), frame, b_, exchanged_);
+  load_.on_a = held_.on_a = exchanged_;
+  for (const SceneLoad& load : scene.loads) {
+    (load.held ? held_ : load_) +=
+        joint_load<T>(spec_.kind, node_load<T>(load, clamped_.R), frame, b_, exchanged_);
+    has_held_ = has_held_ || load.held;
+  }
   if (exchanged_) std::swap(a_, b_), spec_.axis = -spec_.axis;
 }
 
@@ -107,9 +126,10 @@ template <class T>
 template <Kind kind>
 NodeBalance<T> EquilibriumProblem<T>::balance_kind(const Pose<T>& joint, const T& factor) const {
   const auto inside = internal<unknown_count(kind)>(joint);
-  const auto outside = applied<kind>(load_, joint.R);
-  return {factor * outside.load - inside.load, inside.tangent - factor * outside.tangent, outside.load,
-          rounding_of<kind>(inside, outside, factor, joint)};
+  const auto growing = applied<kind>(load_, joint.R);
+  const auto acting = acting_on<kind>(growing, factor, held(), joint.R);
+  return {acting.load - inside.load, inside.tangent - acting.tangent, growing.load,
+          rounding_of<kind>(inside, acting, joint)};
 }
 
 template <class T>
@@ -138,13 +158,45 @@ NodeMatrix<T> EquilibriumProblem<T>::node_tangent(const Pose<T>& joint, const T&
 }
 
 template <class T>
-Outcome<T> EquilibriumProblem<T>::follow_to(const Outcome<T>& from, const T& factor_to) const {
+Outcome<T> EquilibriumProblem<T>::follow(const Outcome<T>& from, const T& factor_to, const JointLoad<T>& rate,
+                                         const JointLoad<T>* base) const {
   return dispatched(spec_.kind, [&](auto tag) {
     constexpr Kind kind = decltype(tag)::value;
     const auto inside = [this](const Pose<T>& joint) { return internal<unknown_count(kind)>(joint); };
     const SolverOptions<T> options;
-    return PathFollower<kind, T, decltype(inside)>(inside, load_, options, from).to(factor_to);
+    return PathFollower<kind, T, decltype(inside)>(inside, rate, options, from, base).to(factor_to);
   });
+}
+
+template <class T>
+Outcome<T> EquilibriumProblem<T>::follow_to(const Outcome<T>& from, const T& factor_to) const {
+  return follow(from, factor_to, load_, held());
+}
+
+template <class T>
+JointLoad<T> EquilibriumProblem<T>::as_joint_load(const NodeVector<T>& load) const {
+  JointLoad<T> out;
+  out.on_a = exchanged_;
+  const T sign(exchanged_ ? -1 : 1);  // one on node a is seen as on b
+  if (spec_.kind != Kind::angular) out.force = sign * load.template head<3>();
+  if (spec_.kind != Kind::linear) out.moment = sign * load.template tail<3>();
+  return out;
+}
+
+template <class T>
+Outcome<T> EquilibriumProblem<T>::initial(T* reached) const {
+  if (reached) *reached = T(1);
+  const NodeVector<T> stress = dispatched(
+      spec_.kind, [&](auto kind) -> NodeVector<T> { return internal<unknown_count(kind())>(start()).load; });
+  if (!has_held_ && stress.isZero(T(0))) return {};
+  const JointLoad<T> holding = as_joint_load(stress);
+  JointLoad<T> rate = held_;
+  rate.add(holding, T(-1));
+  Outcome<T> out = follow({}, T(1), rate, &holding);
+  if (reached) *reached = out.factor;
+  out.factor = T(0);
+  out.last = out.before = {T(0), out.joint};
+  return out;
 }
 
 template <class T>
@@ -202,9 +254,11 @@ T EquilibriumProblem<T>::output_error(const std::string& name, const Outcome<T>&
 
 template <class T>
 T EquilibriumProblem<T>::linear_output(const std::string& name, const T& factor) const {
-  const NodeBalance<T> at_rest = balance(start(), T(0));
+  const NodeMatrix<T> stiffness = dispatched(spec_.kind, [&](auto kind) -> NodeMatrix<T> {
+    return internal<unknown_count(kind())>(start()).tangent;
+  });
   Vec3<T> theta = Vec3<T>::Zero(), u = Vec3<T>::Zero();
-  const NodeVector<T> response = lu_solve<T>(at_rest.tangent, NodeVector<T>(factor * at_rest.by_factor));
+  const NodeVector<T> response = lu_solve<T>(stiffness, balance(start(), factor).imbalance);
   if (spec_.kind != Kind::linear) theta = response.template tail<3>();
   if (spec_.kind != Kind::angular) u = response.template head<3>();
   if (exchanged_) theta = -theta, u = -u;

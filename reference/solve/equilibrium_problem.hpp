@@ -26,8 +26,8 @@ using NodeVector = SmallVector<T>;
 template <class T>
 using NodeMatrix = SmallMatrix<T>;
 
-/// The equation at one state and load factor, in the unknown directions (dx, psi) as the kind has them; at
-/// the joint point of the loaded node, axes of P_a, as loads on b; N, N m.
+/// The equation at one state and load factor, held loads included, in the unknown directions (dx, psi) as the
+/// kind has them; at the joint point of the loaded node, axes of P_a, as loads on b; N, N m.
 template <class T>
 struct NodeBalance {
   NodeVector<T> imbalance;  ///< applied - internal
@@ -66,6 +66,10 @@ class EquilibriumProblem {
   /// unstrained pose. All formulations share it.
   T linear_output(const std::string& name, const T& factor) const;
 
+  /// The equilibrium at load factor 0: the unstrained state, unless loads are held or the law has stresses
+  /// there. It is reached in load steps in which what holds the joint unstrained is taken away as the held
+  /// loads are put on. @param reached  set to how far that came, 0 ... 1
+  Outcome<T> initial(T* reached = nullptr) const;
   /// From an equilibrium on to another load factor in load steps.
   Outcome<T> follow_to(const Outcome<T>& from, const T& factor_to) const;
   /// The equilibrium next to a state, at one load factor.
@@ -81,6 +85,8 @@ class EquilibriumProblem {
   /// The joint's load and its tangent, in the unknown directions.
   template <int n>
   Balance<T, n> internal(const Pose<T>& joint) const;
+  /// What loads in the unknown directions are as a load on the joint while it is unstrained.
+  JointLoad<T> as_joint_load(const NodeVector<T>& load) const;
   template <Kind kind>
   NodeBalance<T> balance_kind(const Pose<T>& joint, const T& factor) const;
 
@@ -89,7 +95,13 @@ class EquilibriumProblem {
   JointEnd<T> a_, b_;
   bool exchanged_;
   Pose<T> clamped_;
-  JointLoad<T> load_;
+  /// @param base, rate  acting is factor rate + base; base: nullptr for none
+  Outcome<T> follow(const Outcome<T>& from, const T& factor_to, const JointLoad<T>& rate,
+                    const JointLoad<T>* base) const;
+  const JointLoad<T>* held() const { return has_held_ ? &held_ : nullptr; }
+
+  JointLoad<T> load_, held_;  ///< those that grow with the load factor, and those that do not
+  bool has_held_ = false;
 };
 
 }  // namespace halfway::reference

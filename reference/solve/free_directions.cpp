@@ -49,12 +49,12 @@ Eigen::VectorXd load_at_rest(const Scene& scene) {
   const Mat3<double> R_b = joint.a.H * joint.b.H.transpose();
   Vec3<double> f = Vec3<double>::Zero(), m = Vec3<double>::Zero();
   for (const SceneLoad& load : scene.loads) {
-    const bool follows = load.type == LoadType::follower_moment;
-    if (load.type == LoadType::fixed_force) {
-      f += load.value;
-      m += (R_b * (load.point - joint.b.o)).cross(load.value);
+    const Vec3<double> value = follows(load.type) ? Vec3<double>(R_b * load.value) : load.value;
+    if (is_force(load.type)) {
+      f += value;
+      m += (R_b * (load.point - joint.b.o)).cross(value);
     } else {
-      m += follows ? Vec3<double>(R_b * load.value) : load.value;
+      m += value;
     }
   }
   Eigen::VectorXd all(6);

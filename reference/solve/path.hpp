@@ -7,7 +7,8 @@
 
 namespace halfway::reference {
 
-/// The equilibrium path of a scene, from the unstrained pose on. T is double or Real50.
+/// The equilibrium path of a scene, from load factor 0 on, see EquilibriumProblem::initial. T is double or
+/// Real50.
 template <class T>
 class Path {
  public:
@@ -18,6 +19,8 @@ class Path {
   const Outcome<T>& advance(double factor);
 
   const Outcome<T>& state() const { return state_; }
+  /// How far the way to load factor 0 came, on which held loads are put on: 1 is there.
+  const T& held_reached() const { return held_reached_; }
 
   /// As of EquilibriumProblem, for the state.
   T output(const std::string& name) const { return problem_.output(name, state_.joint); }
@@ -30,6 +33,7 @@ class Path {
 
  private:
   EquilibriumProblem<T> problem_;
+  T held_reached_{1};
   Outcome<T> state_;
 };
 

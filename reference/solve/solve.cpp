@@ -15,6 +15,9 @@ namespace {
 std::string describe(const Path<double>& path) {
   const Outcome<double>& state = path.state();
   if (state.status == Status::converged) return "converged";
+  if (path.held_reached() < 1)
+    return fmt::format("stopped at {:.6g} of what is held, before load factor 0: no smaller step converges",
+                       path.held_reached());
   const std::string where = fmt::format("stopped at load factor {:.6g}: ", state.factor);
   if (state.status == Status::inaccurate) {
     const bool turns = path.problem().kind() != Kind::linear;

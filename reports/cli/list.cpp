@@ -65,6 +65,8 @@ void add_list(CLI::App& app) {
     if (*types) return list_types();
     list_formulations();
     list_scenes("Scenes", reference::scenes_folder(), reference::canonical_scenes());
+    if (const auto mechanisms = reference::mechanism_scenes(); !mechanisms.empty())
+      list_scenes("Mechanisms", reference::scenes_folder() / "mechanisms", mechanisms);
     if (const auto chains = reference::chain_scenes(); !chains.empty())
       list_scenes("Scenes of chains", reference::scenes_folder() / "chains", chains);
     list_programs();

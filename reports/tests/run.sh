@@ -68,6 +68,33 @@ holds "$folder/c3_buckling/curve.csv" rod theta_z 2.62995874622906 1e-12
 run c6_compression_shear --rod && fail "a rod was drawn beside forces"
 grep -q -- '--rod' "$folder/err" || fail "the refusal does not name --rod"
 
+# No load at all: nothing moves, and that is an answer.
+run "$field/no_load.toml" || fail "no_load exits with $?"
+awk -F, 'NR > 1 && ($4 != 0 || $5 != 0 || $6 != 0) { bad = 1 } END { exit bad || NR < 100 }' "$folder/no_load/curve.csv" ||
+  fail "something moves without a load"
+
+# More than a turn: each law says why it stops, or goes on.
+run "$field/full_turn.toml" || fail "full_turn exits with $?"
+grep -q '^invariant.*phi reaches pi' "$folder/out" || fail "full_turn: invariant does not name half a turn"
+grep -q '^quaternion.*a fold' "$folder/out" || fail "full_turn: quaternion does not name its fold"
+grep -q '^conformal .*  converged$' "$folder/out" || fail "full_turn: conformal stops"
+
+# Two joints in parallel, as somebody wrote them; a linkage that a load would move: named, and no success.
+run "$field/two_joints.toml" || fail "two_joints exits with $?"
+holds "$folder/two_joints/curve.csv" invariant theta_y 0.025 1e-14
+run four_bar || fail "four_bar exits with $?"
+holds "$folder/four_bar/curve.csv" invariant rocker.theta_z 0.67513153293703165 1e-12
+"$program" run four_bar --out "$folder" > "$folder/out" 2>&1 || fail "four_bar in all formats exits with $?"
+for file in curve.csv curve.json curve.svg; do [ -s "$folder/four_bar/$file" ] || fail "a mechanism: no $file"; done
+grep -q '>rocker.theta_z (rad)<' "$folder/four_bar/curve.svg" || fail "an axis of a mechanism's chart has no unit"
+sed -e 's/^\[\[motion\]\]/[[load]]/' -e 's/^name = "drive"//' -e 's/^type = "rotation"/type = "fixed_force"/' \
+  -e 's/^axis = "z"//' -e 's/^value = 1.57.*/value = [1, 0, 0]\npoint = [0, 1, 0]/' -e 's/, "drive.m_z"//' \
+  -e '/^\[\[reference/,$d' "$field/../../../reference/scenes/mechanisms/four_bar.toml" > "$folder/loose.toml"
+run "$folder/loose.toml" --formulation invariant && fail "a linkage that a load moves arrives"
+grep -q 'a load works on a direction without stiffness, .* of body' "$folder/out" || fail "loose: no direction is named"
+run four_bar --arc && fail "--arc of a mechanism is not refused"
+grep -q -- '--arc' "$folder/err" || fail "the refusal of a mechanism does not name --arc"
+
 # A chain: written and drawn whole, the tip where a regular polygon closes; what it cannot do is refused by name.
 printf '%s\n' 'title = "roll"' '[chain]' 'links = 20' 'length = 1' 'GJ = 1' 'EI = 1' 'EA = 1e4' 'GA = 1e4' '[[load]]' \
   'type = "follower_moment"' 'value = [0, 0, 6.283185307179586]' > "$folder/roll.toml"

@@ -122,9 +122,8 @@ namespace {
 std::pair<std::string, std::string> load_of(const reference::Scene& scene) {
   if (scene.loads.size() != 1) return {};
   const reference::SceneLoad& load = scene.loads.front();
-  const bool is_force = load.type == reference::LoadType::fixed_force;
-  const std::string title = is_force ? "force" : "moment";
-  const std::string unit = is_force ? "N" : "N m";
+  const std::string title = is_force(load.type) ? "force" : "moment";
+  const std::string unit = is_force(load.type) ? "N" : "N m";
   if (std::abs(load.value.norm() - 1) <= 1e-12) return {title, unit};  // unit vectors as a person writes them
   const bool ones = (load.value.array() == 0 || load.value.array().abs() == 1).all();
   return ones ? std::pair(title + " in each direction", unit) : std::pair<std::string, std::string>{};

@@ -55,9 +55,12 @@ std::string law_text(const reference::LawSpec& law) {
 }
 
 std::string load_text(const reference::SceneLoad& load) {
-  const bool is_force = load.type == reference::LoadType::fixed_force;
-  return fmt::format("\n[[load]]\ntype = \"{}\"\nvalue = {}\n{}", to_string(load.type), row_of(load.value),
-                     is_force ? fmt::format("point = {}\n", row_of(load.point)) : "");
+  std::string out =
+      fmt::format("\n[[load]]\ntype = \"{}\"\nvalue = {}\n", to_string(load.type), row_of(load.value));
+  if (is_force(load.type)) out += fmt::format("point = {}\n", row_of(load.point));
+  if (load.type == reference::LoadType::quasi_tangential_moment)
+    out += fmt::format("arm = {}\n", row_of(load.arm));
+  return out + (load.held ? "held = true\n" : "");
 }
 
 std::string described(const reference::Setting& setting) {

@@ -67,13 +67,11 @@ Eigen::Matrix<T, unknown_count(kind), 1> motion_size(const Pose<T>& joint) {
 /// and of the motion, magnified by the tangent.
 template <Kind kind, class T>
 Eigen::Matrix<T, unknown_count(kind), 1> rounding_of(const Balance<T, unknown_count(kind)>& inside,
-                                                     const Applied<T, unknown_count(kind)>& outside,
-                                                     const T& factor, const Pose<T>& joint) {
-  using std::abs;
+                                                     const Applied<T, unknown_count(kind)>& acting,
+                                                     const Pose<T>& joint) {
   constexpr int kRoundings = 8;  // between a pose and its loads; see verify: what random scenes need
   return T(kRoundings) * Eigen::NumTraits<T>::epsilon() *
-         (inside.load.cwiseAbs() + T(abs(factor)) * outside.size +
-          inside.tangent.cwiseAbs() * motion_size<kind>(joint));
+         (inside.load.cwiseAbs() + acting.size + inside.tangent.cwiseAbs() * motion_size<kind>(joint));
 }
 
 /// What it may leave at most: loads are turned on their way to the nodes by up to the joint's rotation, and
@@ -95,6 +93,16 @@ Eigen::Matrix<T, unknown_count(kind), 1> spread_over(Eigen::Matrix<T, unknown_co
   return rounding;
 }
 
+/// What acts at one load factor: loads that grow with it, and those that are held.
+/// @param growing  at load factor 1    @param held  nullptr: none
+template <Kind kind, class T>
+Applied<T, unknown_count(kind)> acting_on(const Applied<T, unknown_count(kind)>& growing, const T& factor,
+                                          const JointLoad<T>* held, const Mat3<T>& R) {
+  Applied<T, unknown_count(kind)> out = factor * growing;
+  if (held) out += applied<kind>(*held, R);
+  return out;
+}
+
 /// A loaded joint at one load factor: the system of Newton's method.
 /// @tparam Internal  callable joint pose -> Balance<T, n>
 template <Kind kind, class T, class Internal>
@@ -104,17 +112,21 @@ class LoadedJoint {
   using Vector = Eigen::Matrix<T, n, 1>;
   using Matrix = Eigen::Matrix<T, n, n>;
 
-  LoadedJoint(const Internal& internal, const JointLoad<T>& load, const T& factor, const Pose<T>& start)
-      : internal_(internal), load_(load), factor_(factor), joint_(start) {}
+  /// @param load, held  acting is factor load + held; held: nullptr for none. They must outlive the system.
+  LoadedJoint(const Internal& internal, const JointLoad<T>& load, const T& factor, const Pose<T>& start,
+              const JointLoad<T>* held = nullptr)
+      : internal_(internal), load_(load), held_(held), factor_(factor), joint_(start) {}
 
   NewtonLook<T> look() {
     using std::sqrt, std::isfinite;
     const Balance<T, n> inside = internal_(joint_);
-    const Applied<T, n> outside = applied<kind>(load_, joint_.R);
-    by_factor_ = outside.load;
-    J_ = inside.tangent - factor_ * outside.tangent;
-    imbalance_ = factor_ * outside.load - inside.load;
-    rounding_ = rounding_of<kind>(inside, outside, factor_, joint_);
+    const Applied<T, n> growing = applied<kind>(load_, joint_.R);
+    const Applied<T, n> acting = acting_on<kind>(growing, factor_, held_, joint_.R);
+    by_factor_ = growing.load;
+    load_size_ = held_ ? acting.load.norm() : T(0);
+    J_ = inside.tangent - acting.tangent;
+    imbalance_ = acting.load - inside.load;
+    rounding_ = rounding_of<kind>(inside, acting, joint_);
     step_ = solved(J_, imbalance_);
     // Loads that overflow have no rounding that an imbalance could be below.
     const T overflow = rounding_.sum();
@@ -136,7 +148,7 @@ class LoadedJoint {
   }
   /// |internal - applied| / |applied|
   T residual() const {
-    const T scale = T(factor_ * factor_) * by_factor_.squaredNorm();
+    const T scale = held_ ? T(load_size_ * load_size_) : T(T(factor_ * factor_) * by_factor_.squaredNorm());
     using std::sqrt;
     return imbalance_.norm() / (scale > T(0) ? T(sqrt(scale)) : T(1));
   }
@@ -154,7 +166,8 @@ class LoadedJoint {
  private:
   const Internal& internal_;
   const JointLoad<T>& load_;
-  T factor_;
+  const JointLoad<T>* held_;
+  T factor_, load_size_{0};
   Pose<T> joint_;
   Vector by_factor_, imbalance_, rounding_, step_;
   Matrix J_;

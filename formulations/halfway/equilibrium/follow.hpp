@@ -2,27 +2,11 @@
 #pragma once
 
 #include "halfway/equilibrium/balance.hpp"
+#include "halfway/equilibrium/load_steps.hpp"
 
 #include <algorithm>
 
 namespace halfway {
-
-enum class Status {
-  converged,         ///< accurate to SolverOptions::accuracy, or better
-  inaccurate,        ///< an equilibrium, but rounding lets Outcome::error be no smaller than it says
-  singular_tangent,  ///< the tangent cannot be solved with: a limit point or a mechanism
-  no_convergence     ///< no load step, however small, converges on the same branch
-};
-
-template <class T>
-struct SolverOptions {
-  /// Relative error of the motion up to which an answer counts as converged.
-  T accuracy = std::max(T(1e-9), T(4096) * T(Eigen::NumTraits<T>::epsilon()));
-  T smallest_step = T(1e-9);  ///< of the load factor, relative to the whole advance
-  T largest_turn = T(0.35);   ///< rad between accepted states; a longer step may change branch
-  int corrections_per_step = 12;
-  int most_iterations = 20000;  ///< of one advance, rejected steps included: a path that creeps has an end
-};
 
 /// (dx, psi) of any kind of joint; zero where nothing is unknown.
 template <class T>
@@ -98,49 +82,37 @@ bool is_small(const Motion<T>& error, const Pose<T>& joint, const T& relative, c
 
 /// Load steps on the way from one load factor to another.
 /// @tparam Internal  callable joint pose -> Balance<T, n>: the joint's load and tangent, axes of P_a
+/// The loads act as those of LoadedJoint.
 template <Kind kind, class T, class Internal>
 class PathFollower {
  public:
   using System = LoadedJoint<kind, T, Internal>;
 
   PathFollower(const Internal& internal, const JointLoad<T>& load, const SolverOptions<T>& options,
-               const Outcome<T>& from)
-      : internal_(internal), load_(load), options_(options), out_(from) {
+               const Outcome<T>& from, const JointLoad<T>* held = nullptr)
+      : internal_(internal), load_(load), held_(held), options_(options), out_(from) {
     out_.status = Status::converged;
     out_.iterations = out_.steps = 0;
   }
 
-  /// Steps are halved when Newton fails or turns the joint too far, and doubled after quick ones.
   Outcome<T> to(const T& end) {
     const T start = out_.factor;
-    T done(0), step(1);
-    while (done < T(1)) {
-      step = std::min(step, T(T(1) - done));
-      const T target = done + step;
-      const NewtonRun<T> run = attempt(target < T(1) ? T(start + target * (end - start)) : end);
+    const auto stopped = in_load_steps<T>(start, end, options_, [this](const T& factor) {
+      const NewtonRun<T> run = attempt(factor);
       out_.iterations += run.corrections;
-      if (run.stop == NewtonStop::rounding) {
-        done = target;
-        if (run.corrections <= kQuick) step *= T(2);
-        continue;
-      }
-      step /= T(2);
-      if (step < options_.smallest_step || out_.iterations > options_.most_iterations) {
-        out_.status = run.stop == NewtonStop::not_finite ? Status::singular_tangent : Status::no_convergence;
-        break;
-      }
-    }
+      return run;
+    });
+    if (stopped) out_.status = *stopped;
     return out_;
   }
 
  private:
-  static constexpr int kQuick = 6;  // corrections
   static constexpr double kCoarse =
       1e-5;  // what stalls at such an error is a state; the outcome says how good
 
   /// One load step; NewtonStop::rounding says that it was taken.
   NewtonRun<T> attempt(const T& factor) {
-    System system(internal_, load_, factor, start_of(factor));
+    System system(internal_, load_, factor, start_of(factor), held_);
     NewtonRun<T> run = newton<T>(system, options_.corrections_per_step);
     if (run.stop != NewtonStop::rounding && run.stop != NewtonStop::stalled) return run;
     const Motion<T> error = widened<kind, T>(system.error());
@@ -180,6 +152,7 @@ class PathFollower {
 
   const Internal& internal_;
   const JointLoad<T>& load_;
+  const JointLoad<T>* held_;
   const SolverOptions<T>& options_;
   Outcome<T> out_;
 };

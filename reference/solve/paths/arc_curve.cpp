@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halfway::reference {
@@ -46,7 +47,9 @@ double error_of(const EquilibriumProblem<double>& problem, const ArcState<double
 }  // namespace
 
 Curve follow_by_arc(const Scene& scene, const Choice& choice) {
-  if (!choice.entry) return solve_scene(scene, choice);  // a straight line has no folds
+  // A straight line has no folds, and a point no length.
+  const auto grows = [](const SceneLoad& load) { return !load.held && !load.value.isZero(0); };
+  if (!choice.entry || std::ranges::none_of(scene.loads, grows)) return solve_scene(scene, choice);
   ContinuationOptions options;
   options.end_factor = scene.factor_end;
   const Continuation continuation(scene, *choice.entry, choice.xi, options);

@@ -182,7 +182,7 @@ EquilibriumPath Continuation::from(const ArcState<double>& start, const ArcVecto
 
 EquilibriumPath Continuation::from_rest() const {
   const int n = problem_.unknowns();
-  const ArcState<double> rest{problem_.start(), 0};
+  const ArcState<double> rest{problem_.initial().joint, 0};
   return from(rest, ArcVector<double>::Unit(n + 1, n));
 }
 

@@ -14,7 +14,7 @@ using Solve = std::function<std::optional<Pose<double>>(const ArcState<double>& 
 LoadSteps stepped(const EquilibriumProblem<double>& problem, double end_factor, int steps,
                   const Solve& solve) {
   LoadSteps out;
-  out.states.push_back({problem.start(), 0});
+  out.states.push_back({problem.initial().joint, 0});
   for (int i = 1; i <= steps; ++i) {
     const ArcState<double> start{out.states.back().b, end_factor * i / steps};
     const auto found = solve(start, out.message);

@@ -112,6 +112,8 @@ void run(const RunOptions& options, RunChain run_chain) {
         fmt::format("scene {} is a chain: ./halfway run solves it, by a program of its own (halfway-chains)",
                     options.scene));
   if (chain) return run_chain(options, *chain);
+  if (const auto* mechanism = std::get_if<reference::MechanismScene>(&scene))
+    return run_mechanism(options, *mechanism);
   run_joint(options, std::get<reference::Scene>(scene));
 }
 

@@ -23,7 +23,10 @@ svg::Axis axis_of(const std::vector<reference::Curve>& curves, std::size_t colum
   return {low, high};
 }
 
-std::string_view unit_of(std::string_view column) { return column.starts_with("theta") ? " (rad)" : " (m)"; }
+std::string unit_of(std::string_view column) {
+  const std::string_view unit = reference::unit_of_output(column);
+  return unit.empty() ? "" : fmt::format(" ({})", unit);
+}
 
 void draw_curves(std::string& out, const svg::Panel& panel, const std::vector<reference::Curve>& curves,
                  std::size_t column) {

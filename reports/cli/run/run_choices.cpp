@@ -60,6 +60,8 @@ reference::AnyScene find_scene(const std::string& name_or_file) {
   std::vector<std::string> names;
   if (auto joint = named(reference::canonical_scenes(), name_or_file, names)) return *std::move(joint);
   if (auto chain = named(reference::chain_scenes(), name_or_file, names)) return *std::move(chain);
+  if (auto mechanism = named(reference::mechanism_scenes(), name_or_file, names))
+    return *std::move(mechanism);
   const std::vector<std::string_view> allowed(names.begin(), names.end());
   throw BadInput(reference::unknown_name("scene", name_or_file, allowed) + ", or a file NAME.toml");
 }

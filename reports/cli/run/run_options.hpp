@@ -28,6 +28,9 @@ void begin_run(const RunOptions& options, const reference::SceneHead& scene);
 void write_result(const RunOptions& options, const reference::SceneHead& scene, const char* name,
                   const std::string& content);
 
+/// Of a scene of a mechanism: solved, written, drawn. Throws BadInput, FailedRun.
+void run_mechanism(const RunOptions& options, const reference::MechanismScene& scene);
+
 /// Of a scene of a chain: solved, written, drawn. Throws BadInput, FailedRun.
 void run_chain(const RunOptions& options, const reference::ChainScene& scene);
 

@@ -5,7 +5,6 @@
 namespace halfway::verify {
 namespace {
 
-using reference::LoadType;
 using reference::Scene;
 using reference::SceneLoad;
 
@@ -21,7 +20,8 @@ Written node_b_in_other_axes(const Scene& scene, const Mat3<double>& H) {
   out.scene.joint.b = turned(scene.joint.b, H);
   for (SceneLoad& load : out.scene.loads) {
     load.point = H * load.point;
-    if (load.type == LoadType::follower_moment) load.value = H * load.value;
+    load.arm = H * load.arm;
+    if (follows(load.type)) load.value = H * load.value;
   }
   return out;
 }
@@ -31,7 +31,7 @@ Written in_other_axes(const Scene& scene, const Mat3<double>& H) {
   out.axes = H;
   out.scene.joint.a = turned(scene.joint.a, H);
   for (SceneLoad& load : out.scene.loads) {
-    if (load.type != LoadType::follower_moment) load.value = H * load.value;
+    if (!follows(load.type)) load.value = H * load.value;
   }
   return out;
 }

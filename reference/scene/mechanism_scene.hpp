@@ -1,0 +1,109 @@
+// Scenes of mechanisms: bodies and the joints between them, loads, prescribed motion.
+#pragma once
+
+#include "halfway/equilibrium.hpp"
+#include "reference/face/registry.hpp"
+#include "reference/scene/scene.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halfway::reference {
+
+/// The body that never moves: the global axes.
+inline constexpr const char* kGround = "ground";
+
+struct SceneBody {
+  std::string name;
+  std::optional<Pose<double>> pose{};  ///< of its node while nothing is loaded; none: where its joints rest
+  /// What is unknown of it, as of the loaded node of a joint of that kind; none: it is clamped.
+  std::optional<Kind> moves = Kind::linear_angular;
+  double mass = 0;                              ///< kg; 0: not said
+  Vec3<double> center = Vec3<double>::Zero();   ///< of mass, axes of the body, m
+  Mat3<double> inertia = Mat3<double>::Zero();  ///< about the centre of mass, axes of the body, kg m^2
+};
+
+struct SceneJoint {
+  std::string name;
+  JointSpec spec;
+  bool has_length = false;  ///< does the file say its rod?
+  int a = 0, b = 0;         ///< its nodes' bodies, by their place
+};
+
+/// How a load or a motion grows: with the load factor, or by these multipliers at the end of each step.
+using Factors = std::vector<double>;
+
+struct BodyLoad : SceneLoad {
+  int body = 0;
+  Factors factors{};
+};
+
+/// What a body is made to do, from its pose while nothing is loaded.
+struct SceneMotion {
+  std::string name;
+  int body = 0;
+  bool is_rotation = false;  ///< or displacement of `point`
+  int axis = -1;             ///< global axis 0, 1, 2 of the component that is prescribed; -1: all
+  Vec3<double> value = Vec3<double>::Zero();  ///< rotation vector, rad, or displacement, m, global axes
+  Vec3<double> point = Vec3<double>::Zero();  ///< axes of the body, m
+  Factors factors{};
+};
+
+/// Outputs: theta and u of each body, NAME.theta_x ... u_z (without NAME: of body b), from its pose while
+/// nothing is loaded, global axes; NAME.a.f_x ... NAME.b.m_z, what a joint exerts on the body at either node,
+/// N and N m about the node, global axes; NAME.strain_1 ...; NAME.energy, energy: J; NAME.f_x ... m_z of a
+/// motion: what it exerts on its body; frequency_1 ... (Hz), growth (1/s), eigenvalue_1 ... of the tangent's
+/// symmetric part.
+struct MechanismScene : SceneHead {
+  std::vector<SceneBody> bodies;  ///< the first is the ground
+  std::vector<SceneJoint> joints;
+  std::vector<BodyLoad> loads;
+  std::vector<SceneMotion> motions;
+  int steps = 0;  ///< of the path: the load factor counts them; 0: none are named
+};
+
+/// How many unknowns the bodies have; those that are prescribed are among them.
+int unknown_count(const MechanismScene& scene);
+/// How many of them are prescribed.
+int prescribed_count(const MechanismScene& scene);
+
+/// What a formulation has against a joint of it, as "which takes no coupling" goes on; "": nothing.
+std::string mechanism_objection(const Entry& entry, const MechanismScene& scene);
+
+/// A frame as a rotation to the last digit of T: files have it in double.
+template <class T>
+Mat3<T> rotation_of(const Mat3<double>& H) {
+  return so3::matrix<T>(so3::quaternion<T>(Mat3<T>(H.template cast<T>())));
+}
+template <class T>
+JointEnd<T> end_of(const JointEnd<double>& end) {
+  return {end.o.template cast<T>(), rotation_of<T>(end.H)};
+}
+
+/// Where the bodies are while nothing is loaded: as they say, or where the first joint from a placed body
+/// is at rest. None where no joint leads there.
+template <class T>
+std::vector<std::optional<Pose<T>>> initial_poses(const MechanismScene& scene) {
+  std::vector<std::optional<Pose<T>>> out;
+  for (const SceneBody& body : scene.bodies) {
+    out.emplace_back();
+    if (body.pose) out.back() = Pose<T>{body.pose->x.template cast<T>(), rotation_of<T>(body.pose->R)};
+  }
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (const SceneJoint& joint : scene.joints) {
+      const bool from_a = out[joint.a].has_value();
+      if (from_a == out[joint.b].has_value()) continue;
+      const JointEnd<T> a = end_of<T>(joint.spec.a), b = end_of<T>(joint.spec.b);
+      if (from_a)
+        out[joint.b] = unstrained<T>(a, b, *out[joint.a]);
+      else
+        out[joint.a] = node_a<T>(a, b, *out[joint.b], Pose<T>{});
+      goes_on = true;
+    }
+  }
+  return out;
+}
+
+}  // namespace halfway::reference

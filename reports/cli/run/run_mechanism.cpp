@@ -1,0 +1,62 @@
+// halfway run of a mechanism: curves as of a joint.
+#include "reference/mechanism/solve.hpp"
+#include "reports/cli/errors.hpp"
+#include "reports/cli/progress.hpp"
+#include "reports/cli/run/run_chart.hpp"
+#include "reports/cli/run/run_files.hpp"
+#include "reports/cli/run/run_options.hpp"
+#include "reports/cli/streams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halfway::reports {
+namespace {
+
+Fit fit_of_mechanism(const reference::MechanismScene& scene) {
+  return {reference::choices(scene), [&scene](const reference::Entry* entry) -> std::string {
+            return entry ? reference::mechanism_objection(*entry, scene) : "is of one joint alone";
+          }};
+}
+
+std::vector<reference::Curve> mechanism_curves(const reference::MechanismScene& scene,
+                                               const std::vector<reference::Choice>& choices) {
+  std::vector<reference::Curve> curves;
+  for (const auto& choice : choices) {
+    Progress live(curve_label(reference::empty_curve(scene, choice)), Progress::Elsewhere::silent);
+    curves.push_back(reference::solve_scene(scene, choice, [&](int done, int total) {
+      live(done, total, fmt::format("load factor {:g}", scene.factor_end * done / total));
+    }));
+    tell(fmt::format("[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
+                     curves.back().outcome));
+  }
+  return curves;
+}
+
+}  // namespace
+
+void run_mechanism(const RunOptions& options, const reference::MechanismScene& scene) {
+  for (const auto& [asked, name] : {std::pair{options.by_arc, "--arc"}, {options.with_rod, "--rod"}})
+    if (asked) throw BadInput(fmt::format("{}: {} is a mechanism; allowed: one joint", name, scene.name));
+  const Fit fit = fit_of_mechanism(scene);
+  const auto choices = run_choices(scene, fit, options.formulations, options.xis);
+  begin_run(options, scene);
+  const auto curves = mechanism_curves(scene, choices);
+  const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<NotRun>{};
+  print(curves_table(scene, curves, missing));
+  const auto write = [&](std::string_view format, const char* name, const auto& content) {
+    if (options.wants(format)) write_result(options, scene, name, content());
+  };
+  write("csv", "curve.csv", [&] { return curves_csv(curves); });
+  write("json", "curve.json", [&] { return curves_json(scene, curves, missing); });
+  write("svg", "curve.svg", [&] { return curves_svg(scene, curves); });
+  if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
+    throw FailedRun(
+        fmt::format("{}: beyond what double precision resolves; see the error column", scene.name));
+  if (std::ranges::none_of(curves, &reference::Curve::converged))
+    throw FailedRun(
+        fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
+}
+
+}  // namespace halfway::reports
