@@ -42,6 +42,7 @@ std::size_t fewest_points(Interpolation method) { return gsl_interp_type_min_siz
 PiecewisePolynomial interpolated(std::span<const double> x, std::span<const double> y, Interpolation method) {
   const std::vector<double> slopes = slopes_at(x, y, method);
   PiecewisePolynomial out;
+  out.interpolation = method;
   out.knots.assign(x.begin(), x.end());
   out.pieces = {{y.front(), slopes.front()}};
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {

@@ -10,12 +10,19 @@
 
 namespace halfway::reference {
 
+enum class Interpolation {
+  linear,
+  akima,    ///< C1, local
+  monotone  ///< C1 without overshoot (Steffen 1990)
+};
+
 /// Between two knots, and on beyond the outer ones, c0 + c1 t + ... + c5 t^5 with t from the piece's origin.
 /// Coefficients are doubles and exact: every scalar sees the same function.
 struct PiecewisePolynomial {
   using Piece = std::array<double, 6>;
-  std::vector<double> knots{};            ///< increasing; none: one polynomial
-  std::vector<Piece> pieces = {Piece{}};  ///< one more than knots
+  std::vector<double> knots{};                          ///< increasing; none: one polynomial
+  std::vector<Piece> pieces = {Piece{}};                ///< one more than knots
+  Interpolation interpolation = Interpolation::linear;  ///< of points at the knots: how the pieces were made
 
   /// The knot at which a piece begins; of the first one that at which it ends.
   double origin(std::size_t piece) const { return knots.empty() ? 0 : knots[piece > 0 ? piece - 1 : 0]; }
@@ -65,12 +72,6 @@ struct PiecewisePolynomial {
     }
     return (is_back ? T(-sum) : sum) / T(9);
   }
-};
-
-enum class Interpolation {
-  linear,
-  akima,    ///< C1, local
-  monotone  ///< C1 without overshoot (Steffen 1990)
 };
 
 /// How many points it takes.

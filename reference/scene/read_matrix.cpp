@@ -8,6 +8,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 namespace halfway::reference {
 namespace {
@@ -39,6 +40,7 @@ Eigen::MatrixXd symmetric_part(const Field& field, const Eigen::MatrixXd& m, dou
   Eigen::Index i = 0, j = 0;
   const double off = (S - S.transpose()).cwiseAbs().maxCoeff(&i, &j) / S.cwiseAbs().maxCoeff();
   if (!(off > 0)) return m;
+  if (i > j) std::swap(i, j);
   const int first = field.dialect().first_index;
   if (off > tolerance) {
     field.refuse(
