@@ -13,43 +13,49 @@ namespace {
 /// A stiffness below this share of its block's largest is none.
 constexpr double kNone = 1e-13;
 
-/// A curve that is the same stress everywhere.
-bool is_flat(const PiecewisePolynomial& curve) {
-  return std::ranges::all_of(curve.pieces, [](const PiecewisePolynomial::Piece& piece) {
-    return std::all_of(piece.begin() + 1, piece.end(), [](double c) { return c == 0; });
-  });
+template <int N>
+Eigen::MatrixXd stiffness_of(const LawSpec& law) {
+  return AnyLaw<double, N>(law)(Eigen::Matrix<double, N, 1>::Zero()).stiffness;
 }
 
-/// Slopes at rest; those that are zero, of curves that are not, get their block's largest, or 1.
-template <class IsFlat>
-Eigen::MatrixXd diagonal_of(Eigen::VectorXd slopes, const IsFlat& is_flat_at) {
-  for (Eigen::Index start = 0; start < slopes.size(); start += 3) {
-    const double largest = slopes.segment<3>(start).maxCoeff();
-    for (Eigen::Index i = start; i < start + 3; ++i) {
-      if (slopes[i] == 0 && !is_flat_at(i)) slopes[i] = largest > 0 ? largest : 1;
+struct IsCompliance {
+  bool operator()(const LinearSpec& law) const { return law.is_compliance; }
+  bool operator()(const PolynomialSpec&) const { return false; }
+  bool operator()(const PerAxisSpec&) const { return false; }
+};
+
+/// Is there an axis along which the strain has a component and the law a stiffness somewhere?
+struct HasStiffness {
+  const Eigen::VectorXd& strain;
+
+  bool operator()(const LinearSpec&) const { return false; }
+  bool operator()(const PolynomialSpec& law) const {
+    return (strain.array() != 0 && (law.k3.array() != 0 || law.k5.array() != 0)).any();
+  }
+  bool operator()(const PerAxisSpec& law) const {
+    for (Eigen::Index i = 0; i < strain.size(); ++i) {
+      if (strain[i] != 0 && !is_flat((*law.axes)[std::size_t(i)])) return true;
     }
+    return false;
   }
-  return slopes.asDiagonal();
-}
-
-struct RestStiffness {
-  Eigen::MatrixXd operator()(const LinearSpec& law) const {
-    return law.is_compliance ? Eigen::MatrixXd(0, 0) : law.matrix;
-  }
-  Eigen::MatrixXd operator()(const PolynomialSpec& law) const {
-    return diagonal_of(law.k1, [&](Eigen::Index i) { return law.k3[i] == 0 && law.k5[i] == 0; });
-  }
-  Eigen::MatrixXd operator()(const PerAxisSpec& law) const {
-    const auto& axes = *law.axes;
-    Eigen::VectorXd slopes(Eigen::Index(axes.size()));
-    for (std::size_t i = 0; i < axes.size(); ++i) slopes[Eigen::Index(i)] = axes[i].at(0.0).slope;
-    return diagonal_of(slopes, [&](Eigen::Index i) { return is_flat(axes[std::size_t(i)]); });
+  /// The same stress everywhere.
+  static bool is_flat(const PiecewisePolynomial& curve) {
+    return std::ranges::all_of(curve.pieces, [](const PiecewisePolynomial::Piece& piece) {
+      return std::all_of(piece.begin() + 1, piece.end(), [](double c) { return c == 0; });
+    });
   }
 };
 
 }  // namespace
 
-Eigen::MatrixXd rest_stiffness(const LawSpec& law) { return visit_unshifted(RestStiffness{}, law); }
+Eigen::MatrixXd rest_stiffness(const LawSpec& law, Kind kind) {
+  if (visit_unshifted(IsCompliance{}, law)) return Eigen::MatrixXd(0, 0);
+  return kind == Kind::linear_angular ? stiffness_of<6>(law) : stiffness_of<3>(law);
+}
+
+bool is_slack(const LawSpec& law, const Eigen::VectorXd& free_strain) {
+  return visit_unshifted(HasStiffness{free_strain}, law);
+}
 
 Eigen::VectorXd strain_units(const Eigen::MatrixXd& K) {
   Eigen::VectorXd out(K.rows());

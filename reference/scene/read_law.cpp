@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 namespace halfway::reference {
 namespace {
@@ -36,43 +37,43 @@ PolynomialSpec read_polynomial(const Field& law, Kind kind) {
   return spec;
 }
 
-void has_only(const Field& law, const Names& own) {
-  Names keys = {"type", "preload", "offset"};
-  keys.insert(keys.end(), own.begin(), own.end());
-  law.has_only(keys);
-}
-
 PlainLawSpec read_plain(const Field& law, Kind kind) {
-  const Names types = {"linear", "polynomial", "per_axis"};
-  const std::string type = law.at("type", "linear, polynomial, per_axis").one_of(types, "unknown_law");
+  const std::string type = law.at("type", "linear, polynomial, per_axis")
+                               .one_of({"linear", "polynomial", "per_axis"}, "unknown_law");
   if (type == "linear") {
-    has_only(law, kLinearKeys);
+    law.has_only(kLinearKeys);
     return read_linear(law, kind);
   }
   refuse_axes(law);
   if (type == "polynomial") {
-    has_only(law, {"k1", "k3", "k5"});
+    law.has_only({"type", "preload", "offset", "k1", "k3", "k5"});
     return read_polynomial(law, kind);
   }
-  has_only(law, {"axis"});
+  law.has_only({"type", "preload", "offset", "axis"});
   return read_curves(law, kind);
 }
 
-Eigen::VectorXd shift(const Field& law, const char* key, int n, const char* unit,
+Eigen::VectorXd shift(const std::optional<Field>& field, Kind kind, const char* unit,
                       const Dimensions& dimensions) {
-  const auto field = law.find(key);
+  const int n = strain_count(kind);
   if (!field) return Eigen::VectorXd::Zero(n);
   return field->vector(n, fmt::format("{} numbers, {}, translation first", n, unit), dimensions);
+}
+
+LawSpec as_law(PlainLawSpec&& plain) {
+  return std::visit([](auto& spec) -> LawSpec { return std::move(spec); }, plain);
 }
 
 }  // namespace
 
 LawSpec read_law(const Field& law, Kind kind) {
-  const int n = strain_count(kind);
-  ShiftedSpec shifted{read_plain(law, kind), shift(law, "offset", n, "m or rad", strain_dimensions(kind)),
-                      shift(law, "preload", n, "N or N m", stress_dimensions(kind))};
-  if (!shifted.offset.isZero(0) || !shifted.preload.isZero(0)) return shifted;
-  return std::visit([](auto& plain) -> LawSpec { return std::move(plain); }, shifted.law);
+  PlainLawSpec plain = read_plain(law, kind);
+  const auto offset = law.find("offset"), preload = law.find("preload");
+  if (!offset && !preload) return as_law(std::move(plain));
+  ShiftedSpec out{std::move(plain), shift(offset, kind, "m or rad", strain_dimensions(kind)),
+                  shift(preload, kind, "N or N m", stress_dimensions(kind))};
+  if (out.offset.isZero(0) && out.preload.isZero(0)) return as_law(std::move(out.law));
+  return out;
 }
 
 }  // namespace halfway::reference

@@ -7,9 +7,10 @@
 
 namespace halfway::reference {
 
-/// The keys of read_linear beside `type`.
-inline const Names kLinearKeys = {"stiffness",     "K",        "compliance", "axes", "axes_translation",
-                                  "axes_rotation", "tolerance"};
+/// The keys of a linear law.
+inline const Names kLinearKeys = {
+    "type",          "stiffness", "K",       "compliance", "axes", "axes_translation",
+    "axes_rotation", "tolerance", "preload", "offset"};
 
 /// `stiffness` (or `K`) or `compliance`: n numbers (a diagonal) or n rows, symmetric to 1e-12 or to
 /// `tolerance`, at most 0.1, of the largest entry in units of its own (then the symmetric part, with a note).

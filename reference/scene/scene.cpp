@@ -106,11 +106,13 @@ std::optional<Unfit> unfit(const Entry& entry, const Scene& scene) {
 
 /// A hinge or a slide is meant, or a zero was forgotten: a person is told which.
 void note_free_strains(const Field& law, const JointSpec& joint) {
-  const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.law));
+  const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.law, joint.kind));
   std::string names;
-  for (const auto& strain : free.colwise())
+  for (const auto& strain : free.colwise()) {
     names += (names.empty() ? "" : ", ") + strain_name(strain, joint.kind);
-  if (!names.empty()) law.note("leaves free: " + names + "; solved where no load works there");
+    if (is_slack(joint.law, strain)) names += " at rest";
+  }
+  if (!names.empty()) law.note("leaves free: " + names);
 }
 
 void read_wanted(const Field& file, Scene& scene) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace halfway::reference {
 namespace {
@@ -73,15 +74,55 @@ Eigen::VectorXd load_at_rest(const Scene& scene) {
   return joint.kind == Kind::linear ? all.head(3) : all.tail(3);
 }
 
+/// @param units  strain_units of the stiffness
+bool works(const Eigen::VectorXd& load, const Eigen::VectorXd& strain, const Eigen::VectorXd& units) {
+  return std::abs(load.dot(strain)) > kNothing * load.cwiseAbs().cwiseProduct(units).sum();
+}
+
+/// The strains without stiffness at rest: of curves with play on which the load works, and all others.
+struct Free {
+  explicit Free(const Scene& scene) {
+    const Eigen::MatrixXd K = rest_stiffness(scene.joint.law, scene.joint.kind);
+    const Eigen::VectorXd load = load_at_rest(scene);
+    units = strain_units(K);
+    for (const auto& column : free_strains(K).colwise()) {
+      const Eigen::VectorXd strain = column;
+      const bool begins = is_slack(scene.joint.law, strain) && works(load, strain, units);
+      (begins ? with_play : still).push_back(strain);
+    }
+  }
+
+  Eigen::VectorXd units;
+  std::vector<Eigen::VectorXd> with_play{}, still{};
+};
+
+/// The scene with a stiffness along some of them, `hold` times their block's largest.
+std::optional<Scene> held_by(const Scene& scene, const Free& free,
+                             const std::vector<Eigen::VectorXd>& strains, double hold) {
+  if (strains.empty()) return std::nullopt;
+  const Eigen::VectorXd stiff = free.units.cwiseInverse().cwiseAbs2();
+  Eigen::MatrixXd more = Eigen::MatrixXd::Zero(stiff.size(), stiff.size());
+  for (const Eigen::VectorXd& strain : strains) {
+    const Eigen::VectorXd carried = stiff.cwiseProduct(strain);
+    more += hold * carried * carried.transpose();
+  }
+  Scene out = scene;
+  out.joint.law = stiffened(scene.joint.law, more);
+  return out;
+}
+
 }  // namespace
 
 std::optional<Scene> held(const Scene& scene, double hold) {
-  const Eigen::MatrixXd K = rest_stiffness(scene.joint.law), free = free_strains(K);
-  if (free.cols() == 0) return std::nullopt;
-  const Eigen::MatrixXd carried = strain_units(K).cwiseInverse().cwiseAbs2().asDiagonal() * free;
-  Scene out = scene;
-  out.joint.law = stiffened(scene.joint.law, hold * carried * carried.transpose());
-  return out;
+  const Free free(scene);
+  return held_by(scene, free, free.still, hold);
+}
+
+std::optional<Scene> eased(const Scene& scene) {
+  // So soft that a joint with play leaves it at once: what is left is a start near the equilibrium.
+  constexpr double kSoft = 1e-6;
+  const Free free(scene);
+  return held_by(scene, free, free.with_play, kSoft);
 }
 
 bool agree(const Curve& a, const Curve& b) {
@@ -96,15 +137,12 @@ bool agree(const Curve& a, const Curve& b) {
 }
 
 std::optional<std::string> works_on_free_direction(const Scene& scene) {
-  const Eigen::MatrixXd K = rest_stiffness(scene.joint.law), free = free_strains(K);
-  if (free.cols() == 0) return std::nullopt;
-  const Eigen::VectorXd scale = strain_units(K);
+  const Free free(scene);
   const std::pair<const char*, Eigen::VectorXd> all[] = {{"the load", load_at_rest(scene)},
                                                          {"the law's preload", stress_at_rest(scene.joint)}};
   for (const auto& [what, load] : all) {
-    for (const auto& strain : free.colwise()) {
-      const double work = std::abs(load.dot(strain));
-      if (work <= kNothing * load.cwiseAbs().cwiseProduct(scale).sum()) continue;
+    for (const auto& strain : free.still) {
+      if (!works(load, strain, free.units)) continue;
       return fmt::format("{} works on a direction without stiffness, free: {}; nothing balances it there",
                          what, strain_name(strain, scene.joint.kind));
     }

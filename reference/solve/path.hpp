@@ -3,6 +3,7 @@
 
 #include "reference/solve/equilibrium_problem.hpp"
 
+#include <optional>
 #include <string>
 
 namespace halfway::reference {
@@ -32,7 +33,10 @@ class Path {
   }
 
  private:
+  void leave_play(const T& factor);
+
   EquilibriumProblem<T> problem_;
+  std::optional<EquilibriumProblem<T>> eased_{};  ///< of a scene with play, see eased(): where a path begins
   T held_reached_{1};
   Outcome<T> state_;
 };

@@ -37,7 +37,7 @@ const Case kCases[] = {
     {"a hinge", R"({"type":"linear","K":[30000,30000,0]})", "{}", "", 0, "rotation about joint axis 3"},
     {"a hinge among curves",
      R"({"type":"per_axis","axis":[{"k1":0},{"negative":1,"positive":2},{"k1":0,"k3":1}]})", "{}", "", 0,
-     "rotation about joint axis 1;"},
+     "rotation about joint axis 1, rotation about joint axis 3 at rest"},
     {"an inverse", R"({"type":"linear","K":[[3,1.0000000000000002,0],[1,3,0],[0,0,1]]})", "{}", "", 1},
     {"polynomial", R"({"type":"polynomial","k1":[0,2,3],"k5":[1,0,0]})", "{}", "", 0},
     {"offsets", kDiagonal, R"({"offset_a":[1,2,3],"b":{"o":[0.1,0,-2]}})", "", 0},

@@ -248,6 +248,42 @@ std::vector<Finding> equilibria(const Polygon& polygon) {
                   "one more a jump that a load step crosses, and steps halved to turns below 0.35 rad")};
 }
 
+/// A joint with play and one without a linear part: no path leaves rest, and the equilibria are those of
+/// their curves.
+std::vector<Finding> play() {
+  struct Curve {
+    const char* axis;
+    double (*strain)(double moment);
+  };
+  const Curve kCurves[] = {{"x = [-1, -0.1, 0.1, 1]\ny = [-90, 0, 0, 90]",
+                            [](double m) { return std::copysign(0.1, m) + m / 100; }},
+                           {"k1 = 0\nk3 = 5", [](double m) { return std::cbrt(m / 5); }}};
+  Measurement error;
+  for (const Curve& curve : kCurves) {
+    reference::Scene scene =
+        scene_of_law(Kind::angular,
+                     fmt::format("type = \"per_axis\"\n[[joint.law.axis]]\nstiffness = "
+                                 "500\n[[joint.law.axis]]\n{}\n[[joint.law.axis]]\nstiffness = 900\n",
+                                 curve.axis),
+                     kEnds);
+    const Vec3<double> axis = scene.joint.a.H.col(1);
+    scene.loads = {{reference::LoadType::fixed_moment, axis}};
+    for (const char* name : kSeesAngle) {
+      for (const double moment : {1e-6, 0.02, 3.0, -8.0}) {
+        reference::Path<double> path(scene, *reference::find_formulation(name), 0.5);
+        const bool converged = path.advance(moment).status == Status::converged;
+        double along = 0;
+        for (int i = 0; i < 3; ++i) along += axis[i] * path.output(std::string("theta_") + char('x' + i));
+        const double expected = curve.strain(moment);
+        error.include(converged ? std::abs(tapped(along) / expected - 1) : std::nan(""),
+                      fmt::format("{} at {:g} N m", name, moment));
+      }
+    }
+  }
+  return {at_most("laws/play/error", "laws", error, 1e-11, "relative", Oracle::closed_form,
+                  "roundings of stiffnesses of 500 beside slopes down to 1e-3 of 1e-6 N m")};
+}
+
 }  // namespace
 
 void law_shifts(Checks& checks) {
@@ -257,6 +293,7 @@ void law_shifts(Checks& checks) {
   checks.push_back({"laws/axes_frames", "laws", turned_frames});
   checks.push_back({"laws/axes_dyads", "laws", dyads});
   checks.push_back({"laws/tolerance", "laws", measured_matrix});
+  checks.push_back({"laws/play", "laws", play});
   for (const Polygon& polygon : kPolygons)
     checks.push_back({fmt::format("laws/equilibrium/{}", polygon.name), "laws",
                       [&polygon] { return equilibria(polygon); }});
