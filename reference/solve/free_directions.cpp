@@ -85,7 +85,8 @@ struct Free {
     const Eigen::MatrixXd K = rest_stiffness(scene.joint.law, scene.joint.kind);
     const Eigen::VectorXd load = load_at_rest(scene);
     units = strain_units(K);
-    for (const auto& column : free_strains(K).colwise()) {
+    const Eigen::MatrixXd all = free_strains(K);
+    for (const auto& column : all.colwise()) {
       const Eigen::VectorXd strain = column;
       const bool begins = is_slack(scene.joint.law, strain) && works(load, strain, units);
       (begins ? with_play : still).push_back(strain);
