@@ -190,6 +190,7 @@ std::string example_units(const Dimension& d) {
                                            {kForce / kLength, "N/mm, kN/m, lbf/in"},
                                            {kMoment / kAngle, "N m/deg, kN mm/rad, lbf in/deg"},
                                            {kForce / kAngle, "kN, N/deg, N mm/mm"},
+                                           {kAngle / kForce, "1/kN, deg/N, mm/(N m)"},
                                            {kLength / kForce, "mm/N, um/kN"},
                                            {kAngle / kMoment, "deg/(N m), mrad/(kN m)"}};
   for (const Examples& e : kExamples) {

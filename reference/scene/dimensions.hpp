@@ -39,15 +39,13 @@ constexpr Dimensions stress_dimensions(Kind kind) {
   return kind == Kind::linear ? dimension::force : dimension::moment;
 }
 
-/// Of the matrix that makes `of` from `by`; where it couples translations with rotations rad may be left out.
+/// Of the matrix that makes `of` from `by`. What couples translations with rotations is one quantity above
+/// and below the diagonal, N/rad and N m/m: in both with rad or without.
 constexpr MatrixDimensions ratio(const Dimensions& of, const Dimensions& by) {
-  const auto entry = [](const Dimension& a, const Dimension& b, bool couples) {
-    Dimension out = a / b;
-    out.is_angle_free = couples;
-    return out;
-  };
-  return {{entry(of.head, by.head, false), entry(of.head, by.tail, true)},
-          {entry(of.tail, by.head, true), entry(of.tail, by.tail, false)}};
+  const Dimension above = of.head / by.tail, below = of.tail / by.head;
+  Dimension couples = above.angle != 0 ? above : below;
+  couples.is_angle_free = true;
+  return {{of.head / by.head, couples}, {couples, of.tail / by.tail}};
 }
 
 /// Of a over the power of b, entry by entry.

@@ -74,6 +74,19 @@ Eigen::VectorXd load_at_rest(const Scene& scene) {
   return joint.kind == Kind::linear ? all.head(3) : all.tail(3);
 }
 
+/// How far a curve goes, m or rad.
+struct Reach {
+  Eigen::Index axis;
+
+  double operator()(const LinearSpec&) const { return 1; }
+  double operator()(const PolynomialSpec&) const { return 1; }
+  double operator()(const PerAxisSpec& law) const {
+    double out = 0;
+    for (const double knot : (*law.axes)[std::size_t(axis)].knots) keep_largest(out, std::abs(knot));
+    return out > 0 ? out : 1;
+  }
+};
+
 /// @param units  strain_units of the stiffness
 bool works(const Eigen::VectorXd& load, const Eigen::VectorXd& strain, const Eigen::VectorXd& units) {
   return std::abs(load.dot(strain)) > kNothing * load.cwiseAbs().cwiseProduct(units).sum();
@@ -119,11 +132,22 @@ std::optional<Scene> held(const Scene& scene, double hold) {
   return held_by(scene, free, free.still, hold);
 }
 
-std::optional<Scene> eased(const Scene& scene) {
-  // So soft that a joint with play leaves it at once: what is left is a start near the equilibrium.
-  constexpr double kSoft = 1e-6;
-  const Free free(scene);
-  return held_by(scene, free, free.with_play, kSoft);
+bool has_play(const Scene& scene) { return !Free(scene).with_play.empty(); }
+
+Scene eased(const Scene& scene, double factor) {
+  // So soft that the load alone would move the joint far beyond its curve: it leaves the play at once, and
+  // what is left is a start near the equilibrium.
+  constexpr double kFar = 1000;
+  const Eigen::VectorXd load = factor * load_at_rest(scene);
+  Eigen::MatrixXd more = Eigen::MatrixXd::Zero(load.size(), load.size());
+  for (const Eigen::VectorXd& strain : Free(scene).with_play) {
+    Eigen::Index i = 0;
+    strain.cwiseAbs().maxCoeff(&i);  // curves are along the axes
+    more(i, i) = std::abs(load[i]) / (kFar * visit_unshifted(Reach{i}, scene.joint.law));
+  }
+  Scene out = scene;
+  out.joint.law = stiffened(scene.joint.law, more);
+  return out;
 }
 
 bool agree(const Curve& a, const Curve& b) {

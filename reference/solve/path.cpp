@@ -7,13 +7,15 @@ namespace halfway::reference {
 template <class T>
 Path<T>::Path(const Scene& scene, const Entry& entry, double xi, const Setting& setting)
     : problem_(scene, entry, xi, setting), state_(problem_.initial(&held_reached_)) {
-  if (const auto soft = eased(scene)) eased_.emplace(*soft, entry, xi, setting);
+  if (has_play(scene)) play_.emplace(Play{scene, entry, xi, setting});
 }
 
 template <class T>
-void Path<T>::leave_play(const T& factor) {
-  const Outcome<T> near = eased_->follow_to(eased_->initial(), factor);
-  const Outcome<T> found = problem_.equilibrium_near(near.joint, factor);
+void Path<T>::leave_play(double factor) {
+  const Scene soft = eased(play_->scene, factor);
+  const EquilibriumProblem<T> problem(soft, play_->entry, play_->xi, play_->setting);
+  const Outcome<T> near = problem.follow_to(problem.initial(), T(factor));
+  const Outcome<T> found = problem_.equilibrium_near(near.joint, T(factor));
   const bool is_found = found.status == Status::converged || found.status == Status::inaccurate;
   if (is_found)
     state_ = found;
@@ -25,8 +27,8 @@ void Path<T>::leave_play(const T& factor) {
 template <class T>
 const Outcome<T>& Path<T>::advance(double factor) {
   if (held_reached_ < T(1)) return state_;
-  if (eased_ && state_.factor == T(0) && factor != 0) {
-    leave_play(T(factor));
+  if (play_ && state_.factor == T(0) && factor != 0) {
+    leave_play(factor);
     return state_;
   }
   const int iterations = state_.iterations;

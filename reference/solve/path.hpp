@@ -33,10 +33,17 @@ class Path {
   }
 
  private:
-  void leave_play(const T& factor);
+  /// Of a scene with play, see has_play(): what its first equilibrium is found with.
+  struct Play {
+    Scene scene;
+    const Entry& entry;
+    double xi;
+    Setting setting;
+  };
+  void leave_play(double factor);
 
   EquilibriumProblem<T> problem_;
-  std::optional<EquilibriumProblem<T>> eased_{};  ///< of a scene with play, see eased(): where a path begins
+  std::optional<Play> play_{};
   T held_reached_{1};
   Outcome<T> state_;
 };

@@ -119,9 +119,8 @@ constexpr Broken kBrokenCurves[] = {
      "\"per_axis\"", "\"per_axes\" #!"},
     {"preload_too_short", "joint.law.preload = [1, 2]: has 2 entries; allowed: 3 numbers",
      "preload = [\"1 N m\", 0, 0]", "preload = [1, 2] #!"},
-    {"preload_of_force", "joint.law.preload[1] = \"1 N\": is in N (N in SI) where N m is needed", "\"1 N m\"",
-     "\"1 N\""
-     ", 0, 0] #!\nunused = [0"},
+    {"preload_of_force", "joint.law.preload[1] = \"1 N\": is in N (N in SI) where N m is needed",
+     "preload = [\"1 N m\", 0, 0]", "preload = [\"1 N\", 0, 0] #!"},
     {"offset_in_metres",
      "joint.law.offset[2] = \"2 mm\": is in mm (m in SI) where rad is needed; allowed: a number, rad, or a "
      "text of a "
@@ -178,9 +177,9 @@ constexpr Broken kBrokenCurves[] = {
 
 constexpr Broken kBrokenMatrix[] = {
     {"not_symmetric",
-     "joint.law.K = [[10, 1, 0, 0, 0, \"1 N/deg\"], [0.2, 10, 0, 0, 0, 0], [0, 0,...: is not symmetric: (1, "
-     "2) is 1 and (2, 1) is 0.2, 0.08 of its largest entry; allowed: a symmetric matrix, to 0.02",
-     "K = [[10, 0.1, 0, 0, 0, \"1 N/deg\"],", "K = [[10, 1, 0, 0, 0, \"1 N/deg\"], #!"},
+     "joint.law.K = [[10, 100, 0, 0, 0, \"1 N/deg\"], [0.2, 10, 0, 0, 0, 0], [0, 0...: is not symmetric: (1, "
+     "2) is 100 and (2, 1) is 0.2, 0.033 of its largest entry; allowed: a symmetric matrix, to 0.02",
+     "K = [[10, 0.1, 0, 0, 0, \"1 N/deg\"],", "K = [[10, 100, 0, 0, 0, \"1 N/deg\"], #!"},
     {"tolerance_too_large", "joint.law.tolerance = 0.5: is out of range; allowed: a number from 1e-12 to 0.1",
      "tolerance = 0.02", "tolerance = 0.5 #!"},
     {"tolerance_zero", "joint.law.tolerance = 0: is out of range; allowed: a number from 1e-12",
@@ -198,18 +197,18 @@ constexpr Broken kBrokenMatrix[] = {
      "joint.law.K[6][6] = \"90 N m\": is in N m (N m in SI) where N m/rad is needed; allowed: a number, N "
      "m/rad, or a text of a "
      "number and a unit: N m/rad, N m/deg",
-     "\"90 N m/deg\"],\n", "\"90 N m\"], #!\n"},
-    {"one_unit_for_a_matrix", "joint.law.K.values[1][6] = 0: is in N/mm (N/m in SI) where N/rad is needed",
+     "\"90 N m/deg\"]]", "\"90 N m\"]] #!"},
+    {"one_unit_for_a_matrix", "joint.law.K.values[1][4] = 0: is in N/mm (N/m in SI) where N/rad is needed",
      "K = [[10, 0.1, 0, 0, 0, \"1 N/deg\"],\n     [0.2, 10, 0, 0, 0, 0],\n     [0, 0, \"3 kN/m\", 0, 0, "
      "0],\n     [0, 0, 0, 2, 0, 0],\n     [0, 0, 0, 0, 2, 0],\n     "
      "[\"1 N/deg\", 0, 0, 0, 0, \"90 N m/deg\"]]",
      "K = { values = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, "
      "0, 0, 1, 0], [0, 0, 0, 0, 0, 1]], unit = \"N/mm\" } #!"},
-    {"point_unit", "load[1].point[1] = \"1 lbf ft\": is in lbf ft (N m in SI) where m is needed", "\"1 ft\"",
-     "\"1 lbf ft\", 0, 0] #!\nunused = [0"},
+    {"point_unit", "load[1].point[1] = \"1 lbf ft\": is in lbf ft (N m in SI) where m is needed",
+     "point = [\"1 ft\", 0, 0]", "point = [\"1 lbf ft\", 0, 0] #!"},
     {"negative_within_tolerance",
-     "joint.law.K = [[0.0001, 0.1, 0, 0, 0, \"1 N/deg\"], [0.2, 10, 0, 0, 0, 0], [0,...: is indefinite: "
-     "smallest eigenvalue",
+     "joint.law.K = [[0.0001, 0.1, 0, 0, 0, \"1 N/deg\"], [0.2, 10, 0, 0, 0, 0], [...: is indefinite: "
+     "smallest eigenvalue -0.000213",
      "K = [[10, 0.1, 0, 0, 0, \"1 N/deg\"],", "K = [[0.0001, 0.1, 0, 0, 0, \"1 N/deg\"], #!"},
 };
 
