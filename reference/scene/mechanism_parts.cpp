@@ -65,11 +65,11 @@ SceneBody read_body(const Field& table, const MechanismScene& scene) {
   out.name = read_name(table.at("name", kNameRule), scene);
   const auto x = table.find("x"), h = table.find("h");
   if (x || h) out.pose.emplace();
-  if (x) out.pose->x = x->vector<3>("3 numbers, m, global axes");
+  if (x) out.pose->x = x->vector<3>("3 numbers, m, global axes", dimension::length);
   if (h) out.pose->R = read_rotation(*h);
   if (const auto mass = table.find("mass")) out.mass = mass->positive();
   if (const auto center = table.find("center"))
-    out.center = center->vector<3>("3 numbers, m, axes of the body");
+    out.center = center->vector<3>("3 numbers, m, axes of the body", dimension::length);
   if (const auto inertia = table.find("inertia")) out.inertia = read_inertia(*inertia);
   return out;
 }
@@ -154,13 +154,14 @@ Factors read_factors(const Field& table, const MechanismScene& scene) {
 void read_motion_value(const Field& table, SceneMotion& motion) {
   const std::string shape = motion.is_rotation ? "3 numbers, rad: a rotation vector; or 1 number beside axis"
                                                : "3 numbers, m; or 1 number beside axis";
+  const Dimension& of_value = motion.is_rotation ? dimension::angle : dimension::length;
   const Field value = table.at("value", shape);
   if (const auto axis = table.find("axis")) {
     motion.axis = int(axis->one_of({"x", "y", "z"})[0] - 'x');
-    motion.value[motion.axis] = value.number();
+    motion.value[motion.axis] = value.number(of_value);
     return;
   }
-  motion.value = value.vector<3>(shape);
+  motion.value = value.vector<3>(shape, of_value);
 }
 
 bool same_direction(const SceneMotion& one, const SceneMotion& other) {
@@ -187,7 +188,7 @@ SceneMotion read_motion(const Field& table, const MechanismScene& scene) {
                                 : "rotation, or free = \"all\" of the body");
   if (const auto point = table.find("point")) {
     if (out.is_rotation) point->refuse("is a point of a rotation", "point beside displacement only");
-    out.point = point->vector<3>("3 numbers, m, axes of the body");
+    out.point = point->vector<3>("3 numbers, m, axes of the body", dimension::length);
   }
   read_motion_value(table, out);
   out.factors = read_factors(table, scene);
