@@ -117,7 +117,9 @@ void read_end(const Field& file, ChainScene& scene) {
   }
 }
 
-ChainScene chain_of(const Field& file, const std::filesystem::path& path) {
+}  // namespace
+
+ChainScene chain_scene(const Field& file, const std::filesystem::path& path) {
   Names keys = kHeadKeys;
   keys.insert(keys.end(), {"chain", "load", "held"});
   if (const auto joint = file.find("joint")) joint->refuse("stands beside [chain]", "one of the two");
@@ -131,37 +133,6 @@ ChainScene chain_of(const Field& file, const std::filesystem::path& path) {
       file, {}, [](const Entry&) { return std::nullopt; }, scene);
   read_references(file, kRod, scene);
   return scene;
-}
-
-/// Of a folder of scenes_folder(), where there is one.
-template <class AScene>
-std::vector<AScene> scenes_of(const char* name, AScene (*read)(const Field&, const std::filesystem::path&)) {
-  std::vector<AScene> out;
-  const auto folder = scenes_folder() / name;
-  if (!std::filesystem::is_directory(folder)) return out;
-  for (const auto& path : scene_files(folder)) {
-    read_scene_file(path,
-                    [&](const Field& file) -> SceneHead& { return out.emplace_back(read(file, path)); });
-  }
-  return out;
-}
-
-}  // namespace
-
-AnyScene read_any_scene(const std::filesystem::path& path) {
-  AnyScene out;
-  read_scene_file(path, [&](const Field& file) -> SceneHead& {
-    if (file.find("chain")) return out.emplace<ChainScene>(chain_of(file, path));
-    if (is_mechanism(file)) return out.emplace<MechanismScene>(mechanism_scene(file, path));
-    return out.emplace<Scene>(joint_scene(file, path));
-  });
-  return out;
-}
-
-std::vector<ChainScene> chain_scenes() { return scenes_of<ChainScene>("chains", chain_of); }
-
-std::vector<MechanismScene> mechanism_scenes() {
-  return scenes_of<MechanismScene>("mechanisms", mechanism_scene);
 }
 
 }  // namespace halfway::reference

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "reference/chain/chain.hpp"
-#include "reference/scene/mechanism_scene.hpp"
+#include "reference/scene/fields.hpp"
+#include "reference/scene/scene.hpp"
 
 #include <optional>
-#include <variant>
 #include <vector>
 
 namespace halfway::reference {
@@ -22,18 +22,7 @@ struct ChainScene : SceneHead {
   int held_steps = 20;                 ///< on the way there from where it is at rest
 };
 
-/// A scene of any sort.
-using AnyScene = std::variant<Scene, ChainScene, MechanismScene>;
-
-/// Reads and checks one scene, of a chain where it has a table [chain], of a mechanism where it says more
-/// than one joint does. Throws SceneError.
-AnyScene read_any_scene(const std::filesystem::path& file);
-
-/// The scenes of chains in the folder `chains` of scenes_folder(), where there is one, ordered by name.
-/// Throws SceneError.
-std::vector<ChainScene> chain_scenes();
-
-/// Those of mechanisms in its folder `mechanisms`, likewise.
-std::vector<MechanismScene> mechanism_scenes();
+/// Reads the table [chain] and what stands beside it. Throws Refusal.
+ChainScene chain_scene(const Field& file, const std::filesystem::path& path);
 
 }  // namespace halfway::reference

@@ -39,17 +39,29 @@ std::string shortened(std::string text) {
   return text.substr(0, end) + "...";
 }
 
+std::vector<std::size_t> way_to(const Document& document, std::size_t place) {
+  const auto& nodes = document.nodes;
+  std::vector<std::size_t> way;
+  for (std::size_t holder = 0; holder != place; holder = way.back()) {
+    std::size_t item = holder + 1;
+    while (nodes[item].end != 0 && nodes[item].end <= place) item = nodes[item].end;
+    way.push_back(item);
+  }
+  return way;
+}
+
 std::string path_of(const Document& document, std::size_t place) {
   const auto& nodes = document.nodes;
   std::string path;
-  for (std::size_t holder = 0; holder != place;) {
-    std::size_t item = holder + 1;
-    int index = document.dialect.first_index;
-    for (; nodes[item].end != 0 && nodes[item].end <= place; item = nodes[item].end) ++index;
-    if (nodes[holder].type == DocumentNode::Type::array)
+  std::size_t holder = 0;
+  for (const std::size_t item : way_to(document, place)) {
+    if (nodes[holder].type == DocumentNode::Type::array) {
+      int index = document.dialect.first_index;
+      for (std::size_t before = holder + 1; before != item; before = nodes[before].end) ++index;
       path += fmt::format("[{}]", index);
-    else
+    } else {
       path += (path.empty() ? "" : ".") + std::string(nodes[item].key.substr(0, kLongestShown));
+    }
     holder = item;
   }
   return path;

@@ -42,6 +42,17 @@ struct Dialect {
 inline constexpr Dialect kScene{"the file", 1, "stiffness"};
 inline constexpr Dialect kRequest{"the line", 0, "K"};
 
+/// What a reader asked of one value: of such questions the format's schema is made (reports/cli/schema).
+struct Question {
+  enum class Type { keys, required_key, text, boolean, number, integer, name, names, numbers, matrix };
+  std::size_t place;  ///< of the value
+  Type type;
+  std::vector<std::string> words{};  ///< keys or names that are allowed
+  double low = 0, high = 0;          ///< of an integer
+  std::string unit{};                ///< that texts may have, in SI
+  int size = 0;                      ///< of an array; 0: any
+};
+
 /// The tree in the order of the text: no node has memory of its own, so that long requests are read at the
 /// speed of their numbers. Texts are the door's, or kept here: a copy would see those of the first, and there
 /// is none.
@@ -51,6 +62,7 @@ struct Document {
   std::vector<std::string> notes{};  ///< "KEY what was accepted and changed": the first of them
   std::size_t more_notes = 0;        ///< than those
   std::vector<std::unique_ptr<const std::string>> texts{};  ///< those that stand nowhere as they are
+  std::vector<Question>* questions = nullptr;               ///< where what is asked is kept, if anywhere
 
   /// The next value of what is open; it holds nothing, or not yet. Good until the next one.
   DocumentNode& add(DocumentNode::Type type, std::string_view key) {
@@ -67,6 +79,9 @@ struct Document {
     return *texts.emplace_back(std::make_unique<const std::string>(std::move(text)));
   }
 };
+
+/// The nodes from the root, left out, to a place: each in the one before it.
+std::vector<std::size_t> way_to(const Document& document, std::size_t place);
 
 /// Key path of a node, such as law.K[2]: from the root on, which has none. Long keys are cut.
 std::string path_of(const Document& document, std::size_t place);

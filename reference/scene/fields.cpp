@@ -43,6 +43,14 @@ void Field::refuse_type(std::string_view allowed) const {
   refuse(fmt::format("is {}", type_name(node().type)), allowed, "wrong_type");
 }
 
+void Field::keep(Question::Type type, NameView words, const Dimension& dimension, int size) const {
+  Question question{place_, type};
+  question.words.assign(words.begin(), words.end());
+  if (dimension != Dimension{}) question.unit = si_unit(dimension);
+  question.size = size;
+  document_->questions->push_back(std::move(question));
+}
+
 void Field::note(const std::string& what) const {
   if (document_->notes.size() < kMostNotes)
     document_->notes.push_back(fmt::format("{} {}", path_of(*document_, place_), what));
@@ -67,6 +75,7 @@ void Field::has_size(int size, const char* of_what, std::string_view allowed) co
 }
 
 void Field::has_only(NameView allowed) const {
+  ask(Question::Type::keys, allowed);
   if (node().type != DocumentNode::Type::table) refuse_type("a table with " + listed(allowed));
   for (const Field item : Items(*this)) {
     const std::string_view key = item.node().key;
@@ -83,6 +92,7 @@ std::optional<Field> Field::find(std::string_view key) const {
 }
 
 Field Field::at(std::string_view key, std::string_view allowed) const {
+  ask(Question::Type::required_key, {key});
   if (node().type != DocumentNode::Type::table) refuse_type(fmt::format("a table with {}", key));
   if (const auto field = find(key)) return *field;
   throw Refusal("missing_key", fmt::format("{} = nothing: is missing; allowed: {}", path(key), allowed),
@@ -102,6 +112,7 @@ Field::Items Field::items(std::string_view allowed) const {
 }
 
 std::string Field::text() const {
+  ask(Question::Type::text);
   expect(DocumentNode::Type::text, "a text that is not empty");
   if (node().text.empty()) refuse("is empty", "a text that is not empty");
   return std::string(node().text);
@@ -113,11 +124,13 @@ std::string Field::text_or(std::string_view key) const {
 }
 
 bool Field::boolean() const {
+  ask(Question::Type::boolean);
   expect(DocumentNode::Type::boolean, "true, false");
   return node().boolean;
 }
 
 double Field::number(const Dimension& dimension) const {
+  ask(Question::Type::number, {}, dimension);
   if (is_text() && dimension != Dimension{}) return quantity(dimension);
   expect(DocumentNode::Type::number, "a finite number");
   if (!std::isfinite(node().number)) refuse("is not finite", "a finite number");
@@ -177,6 +190,8 @@ double Field::entry(const Dimension& dimension, const std::optional<SharedUnit>&
 }
 
 int Field::integer(int low, int high) const {
+  if (document_->questions)
+    document_->questions->push_back({place_, Question::Type::integer, {}, double(low), double(high)});
   const std::string allowed = fmt::format("an integer from {} to {}", low, high);
   expect(DocumentNode::Type::number, allowed);
   const bool has_digits_alone = node().text.find_first_not_of("-0123456789") == std::string_view::npos;
@@ -186,6 +201,7 @@ int Field::integer(int low, int high) const {
 }
 
 std::string Field::one_of(NameView names, const char* code) const {
+  ask(Question::Type::name, names);
   if (!is_text()) refuse_type(listed(names));
   if (!contains(names, node().text))
     refuse("is not a known name" + did_you_mean_of(node().text, names), listed(names), code);
@@ -193,6 +209,7 @@ std::string Field::one_of(NameView names, const char* code) const {
 }
 
 std::vector<std::string> Field::distinct(NameView names) const {
+  ask(Question::Type::names, names);
   if (!is_array()) refuse_type("an array of " + listed(names));
   std::vector<std::string> out;
   for (const Field item : Items(*this)) {
@@ -204,6 +221,7 @@ std::vector<std::string> Field::distinct(NameView names) const {
 }
 
 std::vector<double> Field::distinct_numbers() const {
+  ask(Question::Type::numbers);
   std::vector<double> out;
   for (const Field item : items("an array of numbers")) {
     const double value = item.number();
@@ -232,6 +250,7 @@ void Field::read_row(int size, std::string_view allowed, const Dimensions& dimen
 
 void Field::read_numbers(int size, std::string_view allowed, const Dimensions& dimensions,
                          double* out) const {
+  ask(Question::Type::numbers, {}, dimensions.head, size);
   const Values all = values(dimensions != Dimensions{});
   all.array.read_row(size, allowed, dimensions, all.unit, out);
 }
@@ -243,6 +262,7 @@ Eigen::VectorXd Field::vector(int size, std::string_view allowed, const Dimensio
 }
 
 std::vector<double> Field::numbers(std::string_view allowed, const Dimension& dimension) const {
+  ask(Question::Type::numbers, {}, dimension);
   const Values all = values(dimension != Dimension{});
   std::vector<double> out;
   for (const Field item : all.array.items(allowed)) out.push_back(item.entry(dimension, all.unit));
@@ -251,6 +271,7 @@ std::vector<double> Field::numbers(std::string_view allowed, const Dimension& di
 
 Eigen::MatrixXd Field::square_matrix(int size, std::string_view allowed,
                                      const MatrixDimensions& dimensions) const {
+  ask(Question::Type::matrix, {}, dimensions.head.head, size);
   const Values all = values(dimensions != MatrixDimensions{});
   all.array.has_size(size, "rows", allowed);
   Eigen::MatrixXd out(size, size);

@@ -86,6 +86,11 @@ class Field {
   void expect(DocumentNode::Type type, std::string_view allowed) const {
     if (node().type != type) refuse_type(allowed);
   }
+  /// Keeps what was asked, where somebody listens.
+  void ask(Question::Type type, NameView words = {}, const Dimension& dimension = {}, int size = 0) const {
+    if (document_->questions) keep(type, words, dimension, size);
+  }
+  void keep(Question::Type type, NameView words, const Dimension& dimension, int size) const;
   [[noreturn]] void refuse_type(std::string_view allowed) const;
   std::size_t count() const;
   void has_size(int size, const char* of_what, std::string_view allowed) const;

@@ -86,15 +86,21 @@ NamedLoad read_load(const Field& load, const Names& types) {
           load.at("value", shape).vector<3>(shape, unit)};
 }
 
-void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read) {
+void with_scene_file(const std::filesystem::path& path, const std::function<void(Document&)>& use) {
   Document document;
   try {
     read_toml(path, document);
-    SceneHead& scene = read(Field(document));
-    scene.notes = std::move(document.notes);
+    use(document);
   } catch (const Refusal& refusal) {
     throw SceneError(fmt::format("{}:{}: {}", path.string(), refusal.line, refusal.what()));
   }
+}
+
+void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read) {
+  with_scene_file(path, [&](Document& document) {
+    SceneHead& scene = read(Field(document));
+    scene.notes = std::move(document.notes);
+  });
 }
 
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& folder) {

@@ -59,6 +59,9 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path);
 /// Opens the file for `read`, which returns where it put the scene. Throws SceneError for each Refusal.
 void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read);
 
+/// Opens the file for `use`. Throws SceneError for each Refusal.
+void with_scene_file(const std::filesystem::path& path, const std::function<void(Document&)>& use);
+
 /// The files *.toml of a folder, ordered by name. Throws SceneError where there is none.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& folder);
 

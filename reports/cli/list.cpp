@@ -1,11 +1,13 @@
 // halfway list: what can be run.
 #include "reference/face/registry.hpp"
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "reports/cli/commands.hpp"
+#include "reports/cli/schema.hpp"
 #include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -54,6 +56,14 @@ void list_programs() {
       kProgramJoints));
 }
 
+/// Keys that no scene shows are no part of what is published: said, and the exit code tells.
+void print_schema() {
+  std::vector<std::string> unseen;
+  print(scene_schema({}, unseen).dump(1) + "\n");
+  for (const std::string& key : unseen)
+    tell(fmt::format("no scene has {}: the schema takes anything there\n", key));
+}
+
 }  // namespace
 
 void add_list(CLI::App& app) {
@@ -61,8 +71,11 @@ void add_list(CLI::App& app) {
   const auto types = std::make_shared<bool>(false);
   command->add_flag("--types", *types,
                     "Of each formulation its name, its C++ type and the header to include");
-  command->callback([types] {
+  const auto schema = std::make_shared<bool>(false);
+  command->add_flag("--schema", *schema, "The JSON Schema of scene files, for editors and other programs");
+  command->callback([types, schema] {
     if (*types) return list_types();
+    if (*schema) return print_schema();
     list_formulations();
     list_scenes("Scenes", reference::scenes_folder(), reference::canonical_scenes());
     if (const auto mechanisms = reference::mechanism_scenes(); !mechanisms.empty())

@@ -1,6 +1,6 @@
 #include "verify/oracle/temporary_scene.hpp"
 
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 
 #include <fmt/format.h>

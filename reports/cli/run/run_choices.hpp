@@ -1,7 +1,7 @@
 // Which scene and which formulations `halfway run` was asked for.
 #pragma once
 
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "reference/solve/solve.hpp"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Numbers with units: each the double next to the value that its definition gives.
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/temporary_scene.hpp"

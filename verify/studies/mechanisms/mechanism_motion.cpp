@@ -1,6 +1,6 @@
 // What moves a mechanism, and what it does when nothing does: prescribed motion and its work, stiff pins,
 // directions that nothing holds, small motions.
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "verify/oracle/probes.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/temporary_scene.hpp"

@@ -1,7 +1,7 @@
 // The scenes of mechanisms: every reference value, in double.
 #include "reference/mechanism/solve.hpp"
 
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "verify/check.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 
