@@ -33,7 +33,10 @@ class Chunk {
   /// The next joints: `count` of them, from `first` on.
   void advance(long first, int count, double scale) {
     read(first, count);
-    move(first, count, scale);
+    if (how_.rod.length == 0)
+      move<false>(first, count, scale);
+    else
+      move_rod(first, count, scale);
     evaluate();
   }
 
@@ -81,12 +84,19 @@ class Chunk {
     }
   }
 
+  /// Out of line: chains of other joints are to keep their registers.
+  [[gnu::noinline]] void move_rod(long first, int count, double scale) { move<true>(first, count, scale); }
+
+  /// @tparam is_rod  joints see a rod's strains
+  template <bool is_rod>
   void move(long first, int count, double scale) {
     const Stage<P> stage{links_, how_, t_};
+    for (int i = 0; is_rod && i < kChunk; i += P::kLanes) stage.see(i, P(scale));
     for (int i = 0; i < kChunk; i += P::kLanes) stage.move(i, P(scale));
+    for (int i = 0; is_rod && i < kChunk; i += P::kLanes) stage.take_seen(i);
     for (int c = 0; c < 4; ++c) R::load(&t_.q[c][kFirst]).store(links_.q.first + c * links_.q.stride + first);
-    for (int i = 0; i < kChunk; i += P::kLanes) stage.place(i);
     for (int c = 0; c < 3; ++c) R::load(&t_.d[c][0]).store(links_.d.first + c * links_.d.stride + first);
+    for (int i = 0; i < kChunk; i += P::kLanes) stage.place(i);
     alignas(64) double steps[3][kChunk];
     for (int i = 0; i < kChunk; i += P::kLanes) put(stage.step(i), &steps[0][i], kChunk);
     for (int c = 0; c < 3; ++c) {

@@ -18,6 +18,7 @@ inline constexpr int kFirst = 8, kBefore = kFirst - 1, kLagged = 16;
 /// Tables of one chunk. Blocks by rows; D and C eight columns a row: D's seventh is the residual's.
 struct Tables {
   alignas(64) double q_old[4][kLagged], q[4][kLagged], u[8][kLagged], d[3][kChunk];
+  double seen[3][kChunk];  ///< of d, by joints that see a rod's strains
   double q_a[4][kChunk], q_b[4][kChunk], zero[3][kChunk], D[3][kChunk], loads[9][kChunk], tangent[81][kChunk];
   double BA[36][kLagged], BB[36][kLagged], QB[6][kLagged];
   double AA[36][kChunk], AB[36][kChunk], QA[6][kChunk];
@@ -76,32 +77,38 @@ struct Stage {
   const V3<P> arm = same<P>(links.arm);
   const Quat<P> turn{P(links.turn[0]), V3<P>{P(links.turn[1]), P(links.turn[2]), P(links.turn[3])}};
 
-  /// From the old state to the new one; d, or what a rod sees of it, moves by its linear increment, the
-  /// frames by their spins.
+  /// From the old state to the new one; d moves by its linear increment, the frames by their spins.
   HALFWAY_INLINE void move(int i, const P& scale) const {
-    const auto spin = [&](int at)
-                          HALFWAY_INLINE_LAMBDA { return scale * vector_of<P>(&t.u[3][at], kLagged); };
-    const auto shift = [&](int at)
-                           HALFWAY_INLINE_LAMBDA { return scale * vector_of<P>(&t.u[0][at], kLagged); };
-    const int b = kFirst + i, a = b - 1;
-    const Quat<P> before = quat_of<P>(&t.q_old[0][a], kLagged), at = quat_of<P>(&t.q_old[0][b], kLagged);
-    const V3<P> w_a = spin(a), w_b = spin(b), d = vector_of<P>(&t.d[0][i], kChunk);
-    const auto r = kernel::relative(before * turn, at);
-    const M3<P> R = r.halfway();
-    const V3<P> w = P(0.5) * (w_a + w_b + r.iw * cross(w_b - w_a, r.g));
-    const V3<P> moved = shift(b) - shift(a) - cross(w_a, matrix(before) * arm) - cross(w, R * d);
-    put(how.rod.length == 0 ? d + moved * R : rod().moved(r, d, moved * R, (w_b - w_a) * R), &t.d[0][i],
-        kChunk);
-    put(turned(w_b, at), &t.q[0][b], kLagged);
+    with_increment(i, scale,
+                   [&](const auto&, const M3<P>&, const V3<P>& d, const V3<P>& dd, const V3<P>&,
+                       const V3<P>& w) HALFWAY_INLINE_LAMBDA {
+                     const int b = kFirst + i;
+                     put(d + dd, &t.d[0][i], kChunk);
+                     put(turned(w, quat_of<P>(&t.q_old[0][b], kLagged)), &t.q[0][b], kLagged);
+                   });
   }
 
-  /// What the joints are evaluated at: points at the origin and at D. A rod's strains become d.
+  /// Before that, of joints that see a rod's strains: these move by linear increments instead; and d, of
+  /// them, after.
+  void see(int i, const P& scale) const {
+    with_increment(i, scale,
+                   [&](const auto& r, const M3<P>& R, const V3<P>& d, const V3<P>& dd, const V3<P>& w_a,
+                       const V3<P>& w_b) HALFWAY_INLINE_LAMBDA {
+                     put(RodStrains<P>(how.rod).moved(r, d, dd, (w_b - w_a) * R), &t.seen[0][i], kChunk);
+                   });
+  }
+  void take_seen(int i) const {
+    const int b = kFirst + i;
+    const Quat<P> front = quat_of<P>(&t.q[0][b - 1], kLagged) * turn, at = quat_of<P>(&t.q[0][b], kLagged);
+    const V3<P> seen = vector_of<P>(&t.seen[0][i], kChunk);
+    put(RodStrains<P>(how.rod).displacement(kernel::relative(front, at), seen), &t.d[0][i], kChunk);
+  }
+
+  /// What the joints are evaluated at: points at the origin and at D.
   HALFWAY_INLINE void place(int i) const {
     const int b = kFirst + i;
     const Quat<P> front = quat_of<P>(&t.q[0][b - 1], kLagged) * turn, at = quat_of<P>(&t.q[0][b], kLagged);
-    const auto r = kernel::relative(front, at);
-    if (how.rod.length != 0) put(rod().displacement(r, vector_of<P>(&t.d[0][i], kChunk)), &t.d[0][i], kChunk);
-    const V3<P> D = r.halfway() * vector_of<P>(&t.d[0][i], kChunk);
+    const V3<P> D = kernel::relative(front, at).halfway() * vector_of<P>(&t.d[0][i], kChunk);
     put(how.tip_first ? at : front, &t.q_a[0][i], kChunk);
     put(how.tip_first ? front : at, &t.q_b[0][i], kChunk);
     put(how.tip_first ? -D : D, &t.D[0][i], kChunk);
@@ -142,6 +149,23 @@ struct Stage {
   }
 
  private:
+  /// Of a joint in the old state, take(r, half-way frame, d and its increment in that frame, spins of both
+  /// links).
+  template <class Take>
+  HALFWAY_INLINE void with_increment(int i, const P& scale, const Take& take) const {
+    const auto spin = [&](int at)
+                          HALFWAY_INLINE_LAMBDA { return scale * vector_of<P>(&t.u[3][at], kLagged); };
+    const auto shift = [&](int at)
+                           HALFWAY_INLINE_LAMBDA { return scale * vector_of<P>(&t.u[0][at], kLagged); };
+    const int b = kFirst + i, a = b - 1;
+    const Quat<P> before = quat_of<P>(&t.q_old[0][a], kLagged), at = quat_of<P>(&t.q_old[0][b], kLagged);
+    const V3<P> w_a = spin(a), w_b = spin(b), d = vector_of<P>(&t.d[0][i], kChunk);
+    const auto r = kernel::relative(before * turn, at);
+    const M3<P> R = r.halfway();
+    const V3<P> w = P(0.5) * (w_a + w_b + r.iw * cross(w_b - w_a, r.g));
+    const V3<P> moved = shift(b) - shift(a) - cross(w_a, matrix(before) * arm) - cross(w, R * d);
+    take(r, R, d, moved * R, w_a, w_b);
+  }
   /// Of one load, by the next link's rear end (by the link's before the opposite, about the joint), and by
   /// the spins of the link before and the next one.
   struct By {
@@ -174,7 +198,6 @@ struct Stage {
     kernel::complete<true, kept == Kept::conservative, true>(step(i), l);
     f = {l.f.x, l.f.wa, l.f.wb}, m_p = {l.a.x, l.a.wa, l.a.wb}, m_n = {l.b.x, l.b.wa, l.b.wb};
   }
-  HALFWAY_INLINE RodStrains<P> rod() const { return RodStrains<P>(how.rod); }
   HALFWAY_INLINE kernel::S3<P> upper_of(const double* row) const {
     const V3<P> x = vector_of<P>(row, kChunk), y = vector_of<P>(row + 3 * kChunk, kChunk);
     return {x.x, x.y, x.z, y.x, y.y, y.z};

@@ -16,6 +16,7 @@ namespace {
 
 namespace chain = reference::chain;
 using reference::Entry;
+using reference::Measurement;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 Draft draft_of(const Entry& entry, const std::string& what) {

@@ -14,6 +14,7 @@ namespace {
 
 namespace chain = reference::chain;
 namespace rod = reference::rod;
+using reference::Measurement;
 
 constexpr const char* kName = "rod34";
 
