@@ -23,9 +23,11 @@ struct Curve {
   bool converged = false;                 ///< up to the scene's last load factor
   bool is_inaccurate = false;             ///< up to there, but beyond what double precision resolves
   std::string outcome;                    ///< for people: "converged" or why not, and where
+  std::string cause{};                    ///< of an early end, in words, without the place; else empty
   int iterations = 0;                     ///< Newton iterations of the whole path
   double residual = 0;                    ///< at the last point, relative to the load
   std::optional<Buckling> critical{};     ///< about Scene::critical_axis, see critical_state
+  std::vector<Pose<double>> poses{};      ///< of the loaded node at each row, node a at the identity
 };
 
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.

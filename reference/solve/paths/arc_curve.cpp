@@ -55,11 +55,13 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
   const double radius = convex_radius(*choice.entry, scene.joint);
   curve.converged = path.end == PathEnd::end_factor;
   curve.outcome = described(path);
+  if (!curve.converged) curve.cause = to_string(path.end);
   curve.iterations = path.iterations;
   if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   for (const PathPoint& point : path.points) {
     if (const double phi = so3::log(point.state.b.R).norm(); phi > radius) {
       curve.converged = false;
+      curve.cause = beyond_convexity(phi, radius);
       curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", point.state.factor,
                                   beyond_convexity(*choice.entry, phi, radius));
       break;
@@ -69,6 +71,7 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
       row.push_back(continuation.problem().output(output, point.state.b));
     curve.rows.push_back(std::move(row));
     curve.errors.push_back(error_of(continuation.problem(), point.state, scene));
+    curve.poses.push_back(continuation.problem().node(point.state.b));
   }
   return curve;
 }
