@@ -104,6 +104,8 @@ bool asks_for(const SceneHead& scene, std::string_view name) {
 
 }  // namespace
 
+Pose<double> rest_pose(const Scene& scene) { return unstrained<double>(scene.joint.a, scene.joint.b, {}); }
+
 Curve empty_curve(const SceneHead& scene, const Choice& choice) {
   Curve curve;
   curve.scene = scene.name;

@@ -54,6 +54,9 @@ Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {
 /// ask, and where there is none below pi or none where its energy is convex.
 std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
 
+/// The loaded node of a scene without load, node a at the identity.
+Pose<double> rest_pose(const Scene& scene);
+
 /// The curve of a choice before it is solved: names and columns, no rows.
 Curve empty_curve(const SceneHead& scene, const Choice& choice);
 

@@ -14,7 +14,7 @@ export default [
     languageOptions: {globals: globals.node}
   },
   {
-    files: ['tests/page.test.mjs', 'tests/dashboard/*.mjs'], // what it hands to the page runs there
+    files: ['tests/page.test.mjs', 'tests/dashboard/*.mjs', 'tests/run/*.mjs'], // what it hands to the page runs there
     languageOptions: {globals: globals.browser}
   },
   {

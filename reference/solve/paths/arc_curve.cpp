@@ -13,8 +13,9 @@
 namespace halfway::reference {
 namespace {
 
-std::string described(const EquilibriumPath& path) {
-  std::string out = path.end == PathEnd::end_factor ? "converged" : path.outcome;
+/// What was met on the way: "; fold at load factor 258.7".
+std::string singular_points(const EquilibriumPath& path) {
+  std::string out;
   for (const SingularPoint& s : path.singular)
     out += fmt::format("; {} at load factor {:.10g}", to_string(s.type), s.state.factor);
   return out;
@@ -54,8 +55,8 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
   Curve curve = empty_curve(scene, choice);
   const double radius = convex_radius(*choice.entry, scene.joint);
   curve.converged = path.end == PathEnd::end_factor;
-  curve.outcome = described(path);
-  if (!curve.converged) curve.cause = to_string(path.end);
+  curve.outcome = (curve.converged ? "converged" : path.outcome) + singular_points(path);
+  if (!curve.converged) curve.cause = to_string(path.end) + singular_points(path);
   curve.iterations = path.iterations;
   if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   for (const PathPoint& point : path.points) {

@@ -1,8 +1,9 @@
 #include "reports/cli/run/page_data.hpp"
 
-#include "halfway/equilibrium.hpp"
 #include "reports/cli/run/comparison.hpp"
 #include "reports/cli/run/run_files.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -123,9 +124,9 @@ Json page_head(const reference::SceneHead& scene, const Ran& ran) {
 Json page_data(const reference::Scene& scene, const Ran& ran) {
   Json out = page_head(scene, ran);
   const reference::JointSpec& joint = scene.joint;
-  const Pose<double> rest = unstrained<double>(joint.a, joint.b, {});
-  out["bodies"] = Json::array({{{"name", "a"}, {"clamped", true}, {"rest", pose_json({})}},
-                               {{"name", "b"}, {"clamped", false}, {"rest", pose_json(rest)}}});
+  out["bodies"] =
+      Json::array({{{"name", "a"}, {"clamped", true}, {"rest", pose_json({})}},
+                   {{"name", "b"}, {"clamped", false}, {"rest", pose_json(reference::rest_pose(scene))}}});
   out["joints"] = Json::array({{{"name", "joint"},
                                 {"kind", to_string(joint.kind)},
                                 {"law", law_json(joint.law)},

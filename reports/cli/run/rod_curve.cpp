@@ -1,6 +1,5 @@
 #include "reports/cli/run/rod_curve.hpp"
 
-#include "halfway/equilibrium.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/truth/rod/rod.hpp"
 #include "reports/cli/errors.hpp"
@@ -44,7 +43,7 @@ reference::Curve rod_curve(const Scene& scene) {
   for (const auto& load : scene.loads) moment += load.value;
   reference::Curve out = reference::empty_curve(scene, {nullptr, 0.5});
   out.formulation = "rod";
-  const Pose<double> rest = unstrained<double>(scene.joint.a, scene.joint.b, {});
+  const Pose<double> rest = reference::rest_pose(scene);
   std::vector<double> factors;
   for (int i = 0; i <= scene.points; ++i) factors.push_back(scene.factor_end * i / scene.points);
   const auto rod = reference::rod::straight(1, reference::rod::of_stiffness(law.eigenvalues()));

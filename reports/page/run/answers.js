@@ -104,7 +104,11 @@ export function sceneFacts({run}) {
   const joint = joints.flatMap((j) => {
     const of = isOne ? '' : ` ${j.name}`;
     const ends = [j.a, j.b].map((e) => `On ${nodeWords(bodies[e.body].name)}: ${endWords(e)}.`);
-    return [term(`joint${of}`, kindWords(j)), term(`law${of}`, lawWords(j)), term(`ends${of}`, lines(ends))];
+    return [
+      term(`joint${of}`, kindWords(j, isOne)),
+      term(`law${of}`, lawWords(j)),
+      term(`ends${of}`, lines(ends))
+    ];
   });
   return h(
     'dl',

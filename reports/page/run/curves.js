@@ -113,7 +113,7 @@ export function curvesSection(app) {
       ),
       h(
         'div',
-        {class: 'controls'},
+        {class: 'controls run-files'},
         download('CSV of all curves', `${fileName(run.scene.name)}.csv`, 'text/csv', () => curvesCsv(run)),
         h('span', {class: 'label'}, 'SVG of'),
         h(

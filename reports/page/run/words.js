@@ -1,5 +1,5 @@
 // A scene in words.
-import {short} from '../format.js';
+import {plural, short} from '../format.js';
 import {angleAxis} from './poses.js';
 
 /** @typedef {import('../run').RunFile} RunFile */
@@ -20,13 +20,13 @@ export const vectorWords = (/** @type {number[]} */ v) => `(${listed(v)})`;
 const isZero = (/** @type {number[]} */ v) => v.every((x) => x === 0);
 
 const KINDS = {
-  angular: 'Angular: it resists three rotations; the position of node b is held.',
-  linear: 'Linear: it resists three displacements; the orientation of node b is held.',
-  linear_angular: 'Linear and angular: it resists three displacements and three rotations.'
+  angular: ['Angular: it resists three rotations', '; the position of node b is held.'],
+  linear: ['Linear: it resists three displacements', '; the orientation of node b is held.'],
+  linear_angular: ['Linear and angular: it resists three displacements and three rotations', '.']
 };
 
-/** @param {RunJoint} joint */
-export const kindWords = (joint) => KINDS[joint.kind];
+/** What it resists, and what is held where it is the only one. @param {RunJoint} joint @param {boolean} isOne */
+export const kindWords = ({kind}, isOne) => `${KINDS[kind][0]}${isOne ? KINDS[kind][1] : '.'}`;
 
 /** Per strain: unit of what the law multiplies it with. */
 const LAW_UNITS = {
@@ -132,7 +132,7 @@ export function answerWords({comparison, curves, path}) {
   const agree = `${short(100 * comparison.agree, 2)} %`;
   const late = all - arrived;
   const early = late ? ` ${late} ${late === 1 ? 'ends' : 'end'} early.` : '';
-  const reach = `${arrived} of ${all} formulations reach load factor ${number(path.factor_end)}`;
+  const reach = `${arrived} of ${plural(all, 'formulation')} ${arrived === 1 ? 'reaches' : 'reach'} load factor ${number(path.factor_end)}`;
   const {length} = comparison.groups;
   if (length > 1) {
     return `${reach}, with ${length} answers more than ${agree} apart; the farthest differ by ${short(100 * comparison.apart, 2)} %.${early}`;
