@@ -152,7 +152,7 @@ void write_result(const RunOptions& options, const reference::SceneHead& scene, 
 
 void add_run(CLI::App& app, RunChain run_chain) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Solve one scene and write its curves");
+  CLI::App* command = app.add_subcommand("run", "Solve one scene, write its curves and a page");
   command->add_option("scene", options->scene, "Name of a canonical scene, or a TOML file")->required();
   command->add_option("--formulation", options->formulations, "Formulations, separated by commas")
       ->delimiter(',');

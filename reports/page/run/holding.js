@@ -6,10 +6,11 @@ import {nodeWords} from './words.js';
 
 /** @typedef {import('./run.js').App} App */
 
-const kBalanced = 1e-9; // of the largest load: rounding of eight digits, and of the equilibrium
+const kNothing = 1e-9; // of the largest load: a number that was kept in eight digits
+const kBalanced = 1e-6; // likewise: sums of such numbers, and levers that have as many
 
 /** Small beside the largest is rounding. @param {number} x @param {number} largest */
-const cell = (x, largest) => h('span', {title: full(x)}, short(Math.abs(x) < kBalanced * largest ? 0 : x, 5));
+const cell = (x, largest) => h('span', {title: full(x)}, short(Math.abs(x) < kNothing * largest ? 0 : x, 5));
 
 /** Sizes of the largest force and moment. @param {number[][]} loads */
 const largestOf = (loads) =>
@@ -35,8 +36,8 @@ function content({run, state, chosen}) {
   const sum = unbalanced(loads, poses[state.row]);
   const reach = Math.max(...poses[state.row].map((p) => Math.hypot(...p.slice(0, 3))));
   const isBalanced =
-    Math.hypot(...sum.slice(0, 3)) <= 1e-6 * force &&
-    Math.hypot(...sum.slice(3)) <= 1e-6 * (moment + reach * force);
+    Math.hypot(...sum.slice(0, 3)) <= kBalanced * force &&
+    Math.hypot(...sum.slice(3)) <= kBalanced * (moment + reach * force);
   return [
     plainTable(
       `What holds the nodes of ${label}`,
