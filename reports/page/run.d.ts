@@ -55,6 +55,7 @@ export interface RunLeftOut {
 
 export interface RunComparison {
   agree: number;
+  answers: number;
   apart: number;
   groups: Array<RunGroup>;
   ended: Array<RunEnded>;

@@ -82,6 +82,11 @@ says '^  left out: intrinsic needs a value'
 sed -n '/^Load factor/,$p' "$folder/out" | grep -qi 'iteration' && fail "the summary counts iterations"
 run c1_skewed_torque --formulation attached_a,mbdyn_joint_inv || fail "two equal ones exit with $?"
 says 'reached by 2 of 2 formulations, which agree to 1 % of the answer'
+printf '%s\n' 'title = "hard"' '[joint]' 'kind = "linear"' '[joint.law]' 'type = "polynomial"' 'k1 = [1000, 2000, 3000]' \
+  'k3 = [1e6, 0, 0]' 'k5 = [0, 0, 0]' '[[load]]' 'type = "fixed_force"' 'value = [120, 0, 9]' '[path]' 'factor_end = 1' > "$folder/hard.toml"
+run "$folder/hard.toml" || fail "a law that grows stiffer exits with $?"
+says '^Load factor 1: reached by 18 of 18 formulations, which agree to 1 % of the answer$'
+says ' linearized$'  # far off, in a line of its own, and no formulation
 printf '%s\n' 'title = "hinge"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "linear"' 'stiffness = [0, 10, 20]' '[[load]]' \
   'type = "fixed_moment"' 'value = [0, 5, 3]' '[path]' 'factor_end = 1' > "$folder/hinge.toml"
 run "$folder/hinge.toml" --formulation attached_a,invariant || fail "a hinge exits with $?"

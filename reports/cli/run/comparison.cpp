@@ -92,6 +92,8 @@ void add_ended(const Curve& curve, std::size_t at, std::vector<Ended>& ended) {
 
 std::string_view unit_of(std::string_view output) { return output.starts_with("theta") ? "rad" : "m"; }
 
+bool is_formulation(const Curve& curve) { return reference::find_formulation(curve.formulation) != nullptr; }
+
 Comparison compared(const std::vector<Curve>& curves) {
   Comparison out;
   const auto sizes = sizes_of(curves);
@@ -101,9 +103,13 @@ Comparison compared(const std::vector<Curve>& curves) {
     else
       add_ended(curves[i], i, out.ended);
   }
+  const auto has_arrived = [](const Curve& c) { return c.converged && is_formulation(c); };
+  out.answers = std::size_t(std::ranges::count_if(out.groups, [&](const Agreeing& group) {
+    return std::ranges::any_of(group.curves, [&](std::size_t i) { return has_arrived(curves[i]); });
+  }));
   for (const Curve& a : curves) {
     for (const Curve& b : curves) {
-      if (a.converged && b.converged) reference::keep_largest(out.apart, apart(a, b, sizes));
+      if (has_arrived(a) && has_arrived(b)) reference::keep_largest(out.apart, apart(a, b, sizes));
     }
   }
   return out;

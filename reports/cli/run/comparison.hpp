@@ -28,12 +28,16 @@ struct Ended {
   std::vector<std::size_t> curves;
 };
 
+/// Neither the linear analysis nor a rod.
+bool is_formulation(const reference::Curve& curve);
+
 /// Differences are norms over all outputs of a unit, over the largest such norm that a path has moved from
 /// its first point by; what two errors explain is none.
 struct Comparison {
   std::vector<Agreeing> groups;  ///< of those that reached the last load factor, in the order of the run
   std::vector<Ended> ended;
-  double apart = 0;  ///< largest difference of any two answers
+  std::size_t answers = 0;  ///< groups with a formulation in them
+  double apart = 0;         ///< largest difference of any two formulations' answers
 };
 Comparison compared(const std::vector<reference::Curve>& curves);
 

@@ -68,7 +68,11 @@ Json comparison_json(const std::vector<reference::Curve>& curves) {
     groups.back()["error"] = error ? Json(*error) : Json(nullptr);
   }
   for (const auto& [cause, members] : found.ended) ended.push_back({{"cause", cause}, {"curves", members}});
-  return {{"agree", kAgree}, {"apart", found.apart}, {"groups", groups}, {"ended", ended}};
+  return {{"agree", kAgree},
+          {"answers", found.answers},
+          {"apart", found.apart},
+          {"groups", groups},
+          {"ended", ended}};
 }
 
 /// What holds each node there, (force, moment about it) of a, then of b, global axes: q = dU/dx.

@@ -29,8 +29,6 @@ std::string percent(double share) {
   return share < 0.1 ? fmt::format("{:.1g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 
-bool is_formulation(const Curve& curve) { return reference::find_formulation(curve.formulation) != nullptr; }
-
 std::string first_line(const reference::SceneHead& scene, const std::vector<Curve>& curves,
                        const Comparison& comparison) {
   const auto all = std::ranges::count_if(curves, is_formulation);
@@ -38,11 +36,11 @@ std::string first_line(const reference::SceneHead& scene, const std::vector<Curv
       std::ranges::count_if(curves, [](const Curve& c) { return is_formulation(c) && c.converged; });
   std::string out = fmt::format("Load factor {:g}: reached by {} of {} formulation{}", scene.factor_end,
                                 arrived, all, all == 1 ? "" : "s");
-  if (comparison.groups.size() == 1 && comparison.groups[0].curves.size() > 1)
+  if (comparison.answers == 1 && arrived > 1)
     out += fmt::format(", which agree to {:g} % of the answer", 100 * kAgree);
-  if (comparison.groups.size() > 1)
-    out += fmt::format("; {} answers more than {:g} % apart, up to {}", comparison.groups.size(),
-                       100 * kAgree, percent(comparison.apart));
+  if (comparison.answers > 1)
+    out += fmt::format("; {} answers more than {:g} % apart, up to {}", comparison.answers, 100 * kAgree,
+                       percent(comparison.apart));
   return out + "\n";
 }
 

@@ -133,9 +133,9 @@ export function answerWords({comparison, curves, path}) {
   const late = all - arrived;
   const early = late ? ` ${late} ${late === 1 ? 'ends' : 'end'} early.` : '';
   const reach = `${arrived} of ${plural(all, 'formulation')} ${arrived === 1 ? 'reaches' : 'reach'} load factor ${number(path.factor_end)}`;
-  const {length} = comparison.groups;
-  if (length > 1) {
-    return `${reach}, with ${length} answers more than ${agree} apart; the farthest differ by ${short(100 * comparison.apart, 2)} %.${early}`;
+  const {answers} = comparison;
+  if (answers > 1) {
+    return `${reach}, with ${answers} answers more than ${agree} apart; the farthest differ by ${short(100 * comparison.apart, 2)} %.${early}`;
   }
   return arrived > 1 ? `${reach}, and agree to ${agree} of the answer.${early}` : `${reach}.${early}`;
 }

@@ -51,7 +51,7 @@ export function runFixture(changes = {}) {
     ],
     left_out: [{formulation: 'rod34', reason: 'needs the length of its rod'}],
     comparison: {
-      ...{agree: 0.01, apart: 0.5},
+      ...{agree: 0.01, answers: 2, apart: 0.5},
       groups: [
         {curves: [0], answer: [0.8, 0.2], apart: 0, error: 1e-15},
         {curves: [2, 1], answer: [1, 0.2], apart: 1e-4, error: 1e-15},
@@ -94,6 +94,7 @@ export const rowFixture = () => {
     curves: [curve('invariant', 0.5, {bodies: 3})],
     comparison: {
       agree: 0.01,
+      answers: 1,
       apart: 0,
       groups: [{curves: [0], answer: [1, 1], apart: 0, error: 1e-15}],
       ended: []
@@ -118,6 +119,7 @@ export const chainFixture = () => {
     loads: [{body: 32, type: 'fixed_moment', value: [0, 0, 1], point: [0, 0, 0]}],
     comparison: {
       agree: 0.01,
+      answers: 1,
       apart: 0,
       groups: [{curves: [0], answer: [1, 1], apart: 0, error: 1e-15}],
       ended: []
