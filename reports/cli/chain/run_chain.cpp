@@ -5,10 +5,10 @@
 #include "reports/cli/errors.hpp"
 #include "reports/cli/interrupts.hpp"
 #include "reports/cli/progress.hpp"
-#include "reports/cli/run/run_page.hpp"
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
+#include "reports/cli/run/run_page.hpp"
 #include "reports/cli/run/summary.hpp"
 #include "reports/cli/streams.hpp"
 
