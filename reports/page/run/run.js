@@ -50,7 +50,7 @@ function appOf(run) {
 const partsOf = (app, holding) =>
   /** @type {[string, string, any][]} */ ([
     ['answers', 'Who agrees', answersSection(app)],
-    ['holding', 'What holds the nodes', holding && holding.content],
+    ['holding', 'Reactions: what holds the nodes', holding && holding.content],
     ['critical', 'Where it buckles', app.run.critical_axis ? criticalPart(app) : null],
     ['left-out', 'What was left out', leftOutSection(app)]
   ]).filter(([, , content]) => content);

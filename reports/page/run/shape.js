@@ -96,7 +96,7 @@ export function shapeSection(app) {
     h(
       'div',
       {class: 'controls'},
-      select('Drawn', options, firstChosen(run), (/** @type {string} */ key) => app.choose(key)),
+      select('Formulation', options, firstChosen(run), (/** @type {string} */ key) => app.choose(key)),
       sizes.times === 1
         ? ''
         : choice('motions', times, String(sizes.times), (/** @type {string} */ key) => {

@@ -111,10 +111,10 @@ test('another formulation at the same load factor; one that ends early says why'
   open({}, async (page) => {
     await slide(page, 2);
     const first = await bodies(page);
-    await page.getByLabel('Drawn').selectOption('attached_a');
+    await page.locator('.run-motion select').selectOption('attached_a');
     assert.notDeepEqual(await bodies(page), first);
     assert.match(await page.locator('.run-slider output').textContent(), /load factor 5 of 10/);
-    await page.getByLabel('Drawn').selectOption('jointc');
+    await page.locator('.run-motion select').selectOption('jointc');
     assert.match(await page.locator('.run-slider output').textContent(), /ends here: a fold/);
   })
 );
@@ -197,7 +197,7 @@ test('what holds the nodes follows the slider; what does not balance is said', {
     assert.match(await page.locator('#holding').textContent(), /Forces balance/);
     await slide(page, 1);
     assert.notEqual(await table(), last);
-    await page.getByLabel('Drawn').selectOption('linearized');
+    await page.locator('.run-motion select').selectOption('linearized');
     assert.match(await page.locator('#holding').textContent(), /Nobody says/);
     const run = runFixture();
     for (const row of run.curves[1].holding) row[0][5] *= 0.9;
