@@ -21,11 +21,14 @@ double convex_radius(const Entry& entry, const JointSpec& spec) {
                                                         : stiffness_at_rest<6>(spec.law));
 }
 
-std::string beyond_convexity(const Entry& entry, double phi, double radius) {
+std::string beyond_convexity(double phi, double radius) {
   return fmt::format(
-      "{}: rotation of {:.3g} rad is beyond {:.3g} rad, within which its energy is convex for this "
-      "stiffness",
-      entry.name, phi, radius);
+      "rotation of {:.3g} rad is beyond {:.3g} rad, within which its energy is convex for this stiffness",
+      phi, radius);
+}
+
+std::string beyond_convexity(const Entry& entry, double phi, double radius) {
+  return fmt::format("{}: {}", entry.name, beyond_convexity(phi, radius));
 }
 
 }  // namespace halfway::reference

@@ -15,4 +15,7 @@ double convex_radius(const Entry& entry, const JointSpec& spec);
 /// "rod4: rotation of 0.41 rad is beyond 0.34 rad, within which its energy is convex for this stiffness".
 std::string beyond_convexity(const Entry& entry, double phi, double radius);
 
+/// The same without the name.
+std::string beyond_convexity(double phi, double radius);
+
 }  // namespace halfway::reference

@@ -13,21 +13,33 @@
 namespace halfway::reference {
 namespace {
 
-std::string describe(const Path<double>& path) {
+/// Why the path ended early, in words; "" where it did not.
+std::string cause_of(const Path<double>& path) {
   const Outcome<double>& state = path.state();
-  if (state.status == Status::converged) return "converged";
+  if (state.status == Status::converged) return "";
+  if (path.held_reached() < 1) return "no smaller step converges";
+  if (state.status != Status::inaccurate) return to_string(stop_cause(path.problem(), state));
+  const bool turns = path.problem().kind() != Kind::linear;
+  return fmt::format("accurate to {:.1e} {} only, beyond double precision",
+                     turns ? state.error.tail<3>().norm() : state.error.head<3>().norm(),
+                     turns ? "rad" : "m");
+}
+
+std::string where_of(const Path<double>& path) {
   if (path.held_reached() < 1)
-    return fmt::format("stopped at {:.6g} of what is held, before load factor 0: no smaller step converges",
-                       path.held_reached());
-  const std::string where = fmt::format("stopped at load factor {:.6g}: ", state.factor);
-  if (state.status == Status::inaccurate) {
-    const bool turns = path.problem().kind() != Kind::linear;
-    return fmt::format("{}accurate to {:.1e} {} only, beyond double precision", where,
-                       turns ? state.error.tail<3>().norm() : state.error.head<3>().norm(),
-                       turns ? "rad" : "m");
-  }
-  return fmt::format("{}{}; --arc follows the path further", where,
-                     to_string(stop_cause(path.problem(), state)));
+    return fmt::format("stopped at {:.6g} of what is held, before load factor 0", path.held_reached());
+  return fmt::format("stopped at load factor {:.6g}", path.state().factor);
+}
+
+void describe(const Path<double>& path, Curve& curve) {
+  curve.converged = path.state().status == Status::converged;
+  curve.is_inaccurate = path.state().status == Status::inaccurate;
+  curve.cause = cause_of(path);
+  curve.outcome = "converged";
+  if (curve.converged) return;
+  const bool may_follow = !curve.is_inaccurate && path.held_reached() >= 1;
+  curve.outcome = fmt::format("{}: {}{}", where_of(path), curve.cause,
+                              may_follow ? "; --arc follows the path further" : "");
 }
 
 template <class Value>
@@ -43,6 +55,7 @@ void add_state(const Scene& scene, const Path<double>& path, Curve& curve) {
   double error = 0;
   for (const std::string& output : scene.outputs) keep_largest(error, path.output_error(output));
   curve.errors.push_back(error);
+  curve.poses.push_back(path.node());
 }
 
 bool goes_on(const Outcome<double>& state) {
@@ -56,6 +69,7 @@ void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve
   for (int i = 1; i <= scene.points && goes_on(path.state()); ++i) {
     path.advance(scene.factor_end * i / scene.points);
     if (const double phi = so3::log(path.state().joint.R).norm(); phi > radius) {
+      curve.cause = beyond_convexity(phi, radius);
       curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", path.state().factor,
                                   beyond_convexity(entry, phi, radius));
       return;
@@ -64,11 +78,20 @@ void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve
     if (path.state().factor != curve.rows.back().front()) add_state(scene, path, curve);
     if (told) told(i, scene.points);
   }
-  curve.converged = path.state().status == Status::converged;
-  curve.is_inaccurate = path.state().status == Status::inaccurate;
-  curve.outcome = describe(path);
+  describe(path, curve);
   curve.iterations = path.state().iterations;
   curve.residual = path.state().residual;
+}
+
+/// Where the linear analysis puts the node; its rotation vector as one of finite length.
+Pose<double> linear_pose(const Path<double>& path, double factor) {
+  const auto three = [&](const char* x, const char* y, const char* z) {
+    return Vec3<double>(path.linear_output(x, factor), path.linear_output(y, factor),
+                        path.linear_output(z, factor));
+  };
+  const Pose<double> rest = path.node();
+  return {rest.x + three("u_x", "u_y", "u_z"),
+          so3::exp<double>(three("theta_x", "theta_y", "theta_z")) * rest.R};
 }
 
 /// A straight line: two points. Any formulation gives it.
@@ -77,10 +100,11 @@ void linear_path(const Scene& scene, Curve& curve) {
   for (double factor : {0.0, scene.factor_end}) {
     curve.rows.push_back(
         row_of(scene, factor, [&](const std::string& output) { return path.linear_output(output, factor); }));
+    curve.poses.push_back(linear_pose(path, factor));
   }
   curve.converged = std::ranges::all_of(curve.rows.back(), [](double x) { return std::isfinite(x); });
   curve.outcome = curve.converged ? "converged" : "no stiffness at rest where the load works";
-  if (!curve.converged) curve.rows.pop_back();
+  if (!curve.converged) curve.rows.pop_back(), curve.poses.pop_back();
 }
 
 bool asks_for(const SceneHead& scene, std::string_view name) {
@@ -89,6 +113,8 @@ bool asks_for(const SceneHead& scene, std::string_view name) {
 }
 
 }  // namespace
+
+Pose<double> rest_pose(const Scene& scene) { return unstrained<double>(scene.joint.a, scene.joint.b, {}); }
 
 Curve empty_curve(const SceneHead& scene, const Choice& choice) {
   Curve curve;

@@ -23,9 +23,11 @@ struct Curve {
   bool converged = false;                 ///< up to the scene's last load factor
   bool is_inaccurate = false;             ///< up to there, but beyond what double precision resolves
   std::string outcome;                    ///< for people: "converged" or why not, and where
+  std::string cause{};                    ///< of an early end, in words, without the place; else empty
   int iterations = 0;                     ///< Newton iterations of the whole path
   double residual = 0;                    ///< at the last point, relative to the load
   std::optional<Buckling> critical{};     ///< about Scene::critical_axis, see critical_state
+  std::vector<Pose<double>> poses{};      ///< of the loaded node at each row, node a at the identity
 };
 
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.
@@ -51,6 +53,9 @@ Curve solve_scene(const Scene& scene, const Choice& choice, const Told& told = {
 /// The first critical state of a choice about the scene's critical_axis; nothing where the scene does not
 /// ask, and where there is none below pi or none where its energy is convex.
 std::optional<Buckling> critical_state(const Scene& scene, const Choice& choice);
+
+/// The loaded node of a scene without load, node a at the identity.
+Pose<double> rest_pose(const Scene& scene);
 
 /// The curve of a choice before it is solved: names and columns, no rows.
 Curve empty_curve(const SceneHead& scene, const Choice& choice);

@@ -47,7 +47,7 @@ StopCause stop_cause(const EquilibriumProblem<double>& problem, const Outcome<do
 const char* to_string(StopCause cause) {
   switch (cause) {
     case StopCause::half_turn:
-      return "phi reaches pi, where rotation vectors jump";
+      return "half a turn: phi reaches pi, where rotation vectors jump";
     case StopCause::jump:
       return "an angle of the law reaches pi and jumps";
     case StopCause::pole:

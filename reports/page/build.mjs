@@ -35,6 +35,7 @@ const PAGES = [
       'styles/style.css',
       'styles/charts.css',
       'styles/tables.css',
+      'styles/plot.css',
       'dashboard/dashboard.css',
       'styles/media.css'
     ],

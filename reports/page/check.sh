@@ -4,7 +4,8 @@
 #   check.sh [REPORT_FOLDER]
 #
 # Without a report the browser sees the tests' own small results; with one its index.html, and its results.json is
-# held against the schema. Without Chromium those tests are skipped and say so. Ends with 1 when something fails.
+# held against the schema. HALFWAY_RUN=PROGRAM: pages of its runs are looked at as well as the tests' own. Without
+# Chromium those tests are skipped and say so. Ends with 1 when something fails.
 set -u
 
 cd "$(dirname "$0")" || exit 1
@@ -33,10 +34,11 @@ step lint npx eslint .
 step types npx tsc
 step schema node tools/schema.mjs --check
 step bundle node build.mjs "$work/page.html"
+step run-page cmake -DTO="$work" -P run/embed.cmake
 if [ -n "$report" ]; then
   step results node tools/validate.mjs "$report/results.json" --strict
   export PAGE_UNDER_TEST="$report/index.html"
 fi
-PAGE_BUNDLE="$work/page.html" DASHBOARD_BUNDLE="$work/dashboard.html" step tests node --test --test-reporter=spec tests/*.test.mjs tests/*/*.test.mjs
+PAGE_BUNDLE="$work/page.html" DASHBOARD_BUNDLE="$work/dashboard.html" RUN_BUNDLE="$work/run.html" step tests node --test --test-reporter=spec tests/*.test.mjs tests/*/*.test.mjs
 
 [ -z "$failed" ] || { echo "check: failed:$failed" >&2; exit 1; }

@@ -3,10 +3,10 @@ import js from '@eslint/js';
 import globals from 'globals';
 
 export default [
-  {ignores: ['node_modules/**', 'results.d.ts']},
+  {ignores: ['node_modules/**', 'results.d.ts', 'run.d.ts']},
   js.configs.recommended,
   {
-    files: ['*.js', 'charts/**/*.js', 'dashboard/**/*.js', 'sections/**/*.js'],
+    files: ['*.js', 'charts/**/*.js', 'dashboard/**/*.js', 'run/**/*.js', 'sections/**/*.js'],
     languageOptions: {globals: globals.browser}
   },
   {
@@ -14,7 +14,7 @@ export default [
     languageOptions: {globals: globals.node}
   },
   {
-    files: ['tests/page.test.mjs', 'tests/dashboard/*.mjs'], // what it hands to the page runs there
+    files: ['tests/page.test.mjs', 'tests/dashboard/*.mjs', 'tests/run/*.mjs'], // what it hands to the page runs there
     languageOptions: {globals: globals.browser}
   },
   {

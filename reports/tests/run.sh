@@ -95,6 +95,44 @@ grep -q 'a load works on a direction without stiffness, .* of body' "$folder/out
 run four_bar --arc && fail "--arc of a mechanism is not refused"
 grep -q -- '--arc' "$folder/err" || fail "the refusal of a mechanism does not name --arc"
 
+# The run ends with who agrees, and why paths end: causes in words, the same for those that share one.
+says() { grep -q -- "$1" "$folder/out" || fail "the summary does not say: $1"; }
+run c3_buckling || fail "c3_buckling exits with $?"
+says '^Load factor 1800: reached by 14 of 18 formulations; 9 answers more than 1 % apart'
+says '^ *2\.868  *0  *0\.0072111 .* attached_a, mbdyn_joint_inv, linearized$'
+says '^ *1\.3648 .* invariant, exudyn_intrinsic$'
+says '^  jointc ends at 258\.701: a fold'
+says '^  field_a ends at 985\.845, field_b ends at 1016\.15: .*gimbal lock$'
+says '^  rod4 ends at 180: rotation of .* rad is beyond .* convex'
+says '^  critical moment about joint axis 1, N m: 265\.11 jointc; 415\.23 attached_b, chrono_body;'
+says '^  left out: intrinsic needs a value'
+sed -n '/^Load factor/,$p' "$folder/out" | grep -qi 'iteration' && fail "the summary counts iterations"
+run c1_skewed_torque --formulation attached_a,mbdyn_joint_inv || fail "two equal ones exit with $?"
+says 'reached by 2 of 2 formulations, which agree to 1 % of the answer'
+printf '%s\n' 'title = "hard"' '[joint]' 'kind = "linear"' '[joint.law]' 'type = "polynomial"' 'k1 = [1000, 2000, 3000]' \
+  'k3 = [1e6, 0, 0]' 'k5 = [0, 0, 0]' '[[load]]' 'type = "fixed_force"' 'value = [120, 0, 9]' '[path]' 'factor_end = 1' > "$folder/hard.toml"
+run "$folder/hard.toml" || fail "a law that grows stiffer exits with $?"
+says '^Load factor 1: reached by 18 of 18 formulations, which agree to 1 % of the answer$'
+says ' linearized$'  # far off, in a line of its own, and no formulation
+printf '%s\n' 'title = "hinge"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "linear"' 'stiffness = [0, 10, 20]' '[[load]]' \
+  'type = "fixed_moment"' 'value = [0, 5, 3]' '[path]' 'factor_end = 1' > "$folder/hinge.toml"
+run "$folder/hinge.toml" --formulation attached_a,invariant || fail "a hinge exits with $?"
+says '^  invariant ends at 1: a free direction'
+sed -e 's/\[0, 10, 20\]/[100, 100, 100]/' -e 's/\[0, 5, 3\]/[400, 0, 0]/' "$folder/hinge.toml" > "$folder/half.toml"
+run "$folder/half.toml" --formulation attached_a,invariant && fail "nobody arrives, and the exit code is 0"
+says '^  attached_a ends at 0.785398, invariant ends at 0.785398: half a turn'
+
+# The page: by default, left out on request, whole; what a file says cannot end the element that holds the data.
+[ -e "$folder/c3_buckling/index.html" ] && fail "a page was written that nobody asked for"
+"$program" run "$field/turned_offsets.toml" --out "$folder" > "$folder/out" 2>&1 || fail "turned_offsets exits with $?"
+grep -q "^wrote $folder/turned_offsets/index.html$" "$folder/out" || fail "it is not said that a page was written"
+page=$folder/turned_offsets/index.html
+[ "$(grep -o '</script>' "$page" | wc -l)" -eq 2 ] || fail "the page does not have two script elements"
+grep -q 'u003c/script>\\u003cscript>alert(2)' "$page" || fail "the scene's description is not in the page"
+grep -q '@[A-Z_]*@' "$page" && fail "the page has a mark without its text"
+"$program" run "$field/turned_offsets.toml" --format png > "$folder/out" 2> "$folder/err" && fail "a format png was not refused"
+grep -q 'allowed: csv, json, svg, html' "$folder/err" || fail "the formats that are allowed are not named"
+
 # A chain: written and drawn whole, the tip where a regular polygon closes; what it cannot do is refused by name.
 printf '%s\n' 'title = "roll"' '[chain]' 'links = 20' 'length = 1' 'GJ = 1' 'EI = 1' 'EA = 1e4' 'GA = 1e4' '[[load]]' \
   'type = "follower_moment"' 'value = [0, 0, 6.283185307179586]' > "$folder/roll.toml"
@@ -103,7 +141,7 @@ grep -q 'is a chain' "$folder/err" || fail "the refusal of a chain does not say 
 program=$2
 "$program" run "$folder/roll.toml" --formulation invariant --out "$folder" > "$folder/out" 2> "$folder/err" ||
   fail "a chain exits with $?"
-for file in curve.csv shape.csv curve.json curve.svg shape.svg; do
+for file in curve.csv shape.csv curve.json curve.svg shape.svg index.html; do
   [ -s "$folder/roll/$file" ] || fail "a chain: no $file"
 done
 awk -F, 'END { r = $5 * $5 + $6 * $6 + $7 * $7; exit !(NR == 43 && r < 1e-24 && $10 > 6.2831853 && $10 < 6.2831854) }' \

@@ -1,3 +1,4 @@
+#include "reports/views/in_script.hpp"
 #include "reports/views/writers.hpp"
 
 #include <cstdlib>
@@ -10,20 +11,6 @@ namespace halfway::reports {
 namespace {
 
 constexpr std::string_view kPlaceholder = "@HALFWAY_RESULTS@";
-
-/// JSON that can stand inside an HTML script element: no "</script" and no "<!--" can occur, because
-/// "<" is only legal inside JSON strings, where the escape means the same.
-std::string for_html(const std::string& json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<')
-      out += "\\u003c";
-    else
-      out += c;
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -45,7 +32,7 @@ std::string page_html(const Results& results) {
                     " once");
   const std::string json =
       nlohmann::json(results).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return page.replace(at, kPlaceholder.size(), for_html(json));
+  return page.replace(at, kPlaceholder.size(), in_script(json));
 }
 
 }  // namespace halfway::reports

@@ -91,6 +91,7 @@ ChainAnswer solve_chain_scene(const ChainScene& scene, const Choice& choice, con
         found.converged ? beyond_series(*choice.entry, chain, found.nodes) : found.outcome;
     if (!why.empty()) {
       out.curve.converged = false;
+      out.curve.cause = why;
       out.curve.outcome = fmt::format("stopped at load factor {:g}: {}", factor, why);
       return out;
     }

@@ -14,8 +14,9 @@
 namespace halfway::reference {
 namespace {
 
-std::string described(const EquilibriumPath& path) {
-  std::string out = path.end == PathEnd::end_factor ? "converged" : path.outcome;
+/// What was met on the way: "; fold at load factor 258.7".
+std::string singular_points(const EquilibriumPath& path) {
+  std::string out;
   for (const SingularPoint& s : path.singular)
     out += fmt::format("; {} at load factor {:.10g}", to_string(s.type), s.state.factor);
   return out;
@@ -57,12 +58,14 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
   Curve curve = empty_curve(scene, choice);
   const double radius = convex_radius(*choice.entry, scene.joint);
   curve.converged = path.end == PathEnd::end_factor;
-  curve.outcome = described(path);
+  curve.outcome = (curve.converged ? "converged" : path.outcome) + singular_points(path);
+  if (!curve.converged) curve.cause = to_string(path.end) + singular_points(path);
   curve.iterations = path.iterations;
   if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   for (const PathPoint& point : path.points) {
     if (const double phi = so3::log(point.state.b.R).norm(); phi > radius) {
       curve.converged = false;
+      curve.cause = beyond_convexity(phi, radius);
       curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", point.state.factor,
                                   beyond_convexity(*choice.entry, phi, radius));
       break;
@@ -72,6 +75,7 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
       row.push_back(continuation.problem().output(output, point.state.b));
     curve.rows.push_back(std::move(row));
     curve.errors.push_back(error_of(continuation.problem(), point.state, scene));
+    curve.poses.push_back(continuation.problem().node(point.state.b));
   }
   return curve;
 }

@@ -63,7 +63,7 @@ const char* to_string(PathEnd end) {
     case PathEnd::step_limit:
       return "the largest number of steps is used up";
     case PathEnd::half_turn:
-      return "phi reaches pi, where rotation vectors jump";
+      return "half a turn: phi reaches pi, where rotation vectors jump";
     case PathEnd::pole:
       return "the loads grow without bound: a pole of the formulation";
     case PathEnd::singular_beyond_simple:

@@ -1,5 +1,6 @@
 // halfway run of a chain: tip curves as of a joint, and the shapes.
 #include "halfway/batch/batch.hpp"
+#include "reports/cli/chain/chain_page.hpp"
 #include "reports/cli/chain/shapes.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/interrupts.hpp"
@@ -7,6 +8,8 @@
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
+#include "reports/cli/run/run_page.hpp"
+#include "reports/cli/run/summary.hpp"
 #include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +66,9 @@ void write_answers(const RunOptions& options, const reference::ChainScene& scene
   write("json", "curve.json", [&] { return curves_json(scene, curves, left_out); });
   write("svg", "curve.svg", [&] { return curves_svg(scene, curves); });
   write("svg", "shape.svg", [&] { return shapes_svg(scene, answers); });
+  write("html", "index.html", [&] {
+    return run_page(chain_page_data(scene, {options.command(), curves, left_out}, answers));
+  });
 }
 
 }  // namespace
@@ -79,6 +85,7 @@ void run_chain(const RunOptions& options, const reference::ChainScene& scene) {
   const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<NotRun>{};
   print(curves_table(scene, curves, missing));
   write_answers(options, scene, answers, curves, missing);
+  print(summary_text(scene, curves, missing));
   if (std::ranges::none_of(curves, &reference::Curve::converged))
     throw FailedRun(
         fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));

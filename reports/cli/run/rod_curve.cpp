@@ -43,6 +43,7 @@ reference::Curve rod_curve(const Scene& scene) {
   for (const auto& load : scene.loads) moment += load.value;
   reference::Curve out = reference::empty_curve(scene, {nullptr, 0.5});
   out.formulation = "rod";
+  const Pose<double> rest = reference::rest_pose(scene);
   std::vector<double> factors;
   for (int i = 0; i <= scene.points; ++i) factors.push_back(scene.factor_end * i / scene.points);
   const auto rod = reference::rod::straight(1, reference::rod::of_stiffness(law.eigenvalues()));
@@ -55,6 +56,7 @@ reference::Curve rod_curve(const Scene& scene) {
     for (const std::string& output : scene.outputs) row.push_back(theta[output.back() - 'x']);
     out.rows.push_back(std::move(row));
     out.errors.push_back(tips[i].error);
+    out.poses.push_back({rest.x, so3::exp<double>(theta) * rest.R});
   }
   out.converged = true;
   out.outcome = "converged";

@@ -9,10 +9,13 @@
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
+#include "reports/cli/run/run_page.hpp"
+#include "reports/cli/run/summary.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/views/files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -23,7 +26,7 @@ namespace halfway::reports {
 namespace {
 
 void check_formats(const std::vector<std::string>& formats) {
-  const std::vector<std::string_view> allowed = {"csv", "json", "svg"};
+  const std::vector<std::string_view> allowed = {"csv", "json", "svg", "html"};
   for (const std::string& format : formats) {
     if (std::ranges::find(allowed, format) == allowed.end())
       throw BadInput(reference::unknown_name("format", format, allowed));
@@ -49,6 +52,7 @@ reference::Curve solve(const RunOptions& options, const reference::Scene& scene,
   reference::Curve curve = solve_stiff(options, *softly, choice);
   if (curve.converged && !reference::agree(curve, solve_stiff(options, *firmly, choice))) {
     curve.converged = false;
+    curve.cause = "a free direction: once displaced, the load works on it, and no stiffness balances that";
     curve.outcome = "no equilibrium: once displaced, the load works on a direction without stiffness";
   }
   return curve;
@@ -75,6 +79,8 @@ void write_curves(const RunOptions& options, const reference::Scene& scene,
   if (options.wants("csv") && scene.critical_axis != 0) write("critical.csv", critical_csv(scene, curves));
   if (options.wants("json")) write("curve.json", curves_json(scene, curves, left_out));
   if (options.wants("svg")) write("curve.svg", curves_svg(scene, curves));
+  if (options.wants("html"))
+    write("index.html", run_page(page_data(scene, {options.command(), curves, left_out})));
 }
 
 void run_joint(const RunOptions& options, const reference::Scene& scene) {
@@ -89,6 +95,7 @@ void run_joint(const RunOptions& options, const reference::Scene& scene) {
   const auto missing = options.formulations.empty() ? left_out(scene, fit, choices) : std::vector<NotRun>{};
   print(curves_table(scene, curves, missing));
   write_curves(options, scene, curves, missing);
+  print(summary_text(scene, curves, missing));
   if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
     throw FailedRun(
         fmt::format("{}: beyond what double precision resolves; see the error column", scene.name));
@@ -123,6 +130,15 @@ bool RunOptions::wants(std::string_view format) const {
   return formats.empty() || std::ranges::find(formats, format) != formats.end();
 }
 
+std::string RunOptions::command() const {
+  std::string out = fmt::format("./halfway run {}", scene);
+  if (!formulations.empty()) out += fmt::format(" --formulation {}", fmt::join(formulations, ","));
+  if (!xis.empty()) out += fmt::format(" --xi {}", fmt::join(xis, ","));
+  if (by_arc) out += " --arc";
+  if (with_rod) out += " --rod";
+  return out;
+}
+
 void begin_run(const RunOptions& options, const reference::SceneHead& scene) {
   try_output((std::filesystem::path(options.folder) / scene.name).string());
   print(printable(fmt::format("{}: {}", scene.name, scene.title)) + "\n");
@@ -138,12 +154,12 @@ void write_result(const RunOptions& options, const reference::SceneHead& scene, 
 
 void add_run(CLI::App& app, RunChain run_chain) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Solve one scene and write its curves");
+  CLI::App* command = app.add_subcommand("run", "Solve one scene, write its curves and a page");
   command->add_option("scene", options->scene, "Name of a canonical scene, or a TOML file")->required();
   command->add_option("--formulation", options->formulations, "Formulations, separated by commas")
       ->delimiter(',');
   command->add_option("--xi", options->xis, "Values of the free xi, separated by commas")->delimiter(',');
-  command->add_option("--format", options->formats, "csv, json, svg; default: all")->delimiter(',');
+  command->add_option("--format", options->formats, "csv, json, svg, html; default: all")->delimiter(',');
   command->add_flag("--arc", options->by_arc,
                     "Follow paths by arc length: on through folds, all singular points named");
   command->add_flag("--rod", options->with_rod,

@@ -1,5 +1,6 @@
 #include "reports/cli/run/run_chart.hpp"
 
+#include "reports/cli/run/comparison.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/svg.hpp"
 
@@ -21,11 +22,6 @@ svg::Axis axis_of(const std::vector<reference::Curve>& curves, std::size_t colum
     }
   }
   return {low, high};
-}
-
-std::string unit_of(std::string_view column) {
-  const std::string_view unit = reference::unit_of_output(column);
-  return unit.empty() ? "" : fmt::format(" ({})", unit);
 }
 
 void draw_curves(std::string& out, const svg::Panel& panel, const std::vector<reference::Curve>& curves,
@@ -57,7 +53,7 @@ std::string curves_svg(const reference::SceneHead& scene, const std::vector<refe
                            svg::kTop + double(i) * (kPanelHeight + svg::kGap), svg::kPanelWidth,
                            kPanelHeight};
     svg::draw_axes(out, panel, "load factor",
-                   fmt::format("{}{}", scene.outputs[i], unit_of(scene.outputs[i])));
+                   fmt::format("{} ({})", scene.outputs[i], reference::unit_of_output(scene.outputs[i])));
     draw_curves(out, panel, curves, i + 1);
   }
   svg::draw_legend(out, legend_of(curves));

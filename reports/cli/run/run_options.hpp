@@ -17,8 +17,11 @@ struct RunOptions {
   std::string folder = "out/run";
   bool by_arc = false, with_rod = false;
 
-  /// csv, json, svg; all of them where none was named.
+  /// csv, json, svg, html; all of them where none was named.
   bool wants(std::string_view format) const;
+
+  /// What was asked for, as a person types it.
+  std::string command() const;
 };
 
 /// Says what runs: title and notes of the scene; refuses a folder that cannot be written. Throws BadInput.

@@ -30,7 +30,7 @@ test('types: optional fields, lists, references and nulls', () => {
     required: ['list'],
     $defs: {Thing: {properties: {x: {type: ['number', 'null'], description: 'how much'}}, required: ['x']}}
   };
-  const text = declarations(small);
+  const text = declarations(small, 'small.json', 'Small');
   assert.match(text, /list: Array<Thing>;/);
   assert.match(text, /kind\?: "a" \| "b";/);
   assert.match(text, /x: number \| null;/);

@@ -1,4 +1,4 @@
-// Tables for people of results.json, from its JSON Schema.
+// Tables for people of results.json, or of a run's page, from its JSON Schema.
 
 /** @typedef {Record<string, any>} Schema */
 

@@ -1,4 +1,4 @@
-// TypeScript declarations of results.json from its JSON Schema.
+// TypeScript declarations of results.json, or of a run's page, from its JSON Schema.
 
 /** @typedef {Record<string, any>} Schema */
 
@@ -26,10 +26,10 @@ function declaration(name, schema) {
   return `export interface ${name} {\n${lines.join('\n')}\n}\n`;
 }
 
-/** @param {Schema} schema the whole */
-export const declarations = (schema) =>
+/** @param {Schema} schema the whole @param {string} file it is in @param {string} root name of the whole */
+export const declarations = (schema, file, root) =>
   [
-    '// Generated from reports/results.schema.json by tools/schema.mjs; edit that, then run `npm run schema`.\n',
-    declaration('ResultsFile', schema),
+    `// Generated from reports/${file} by tools/schema.mjs; edit that, then run \`npm run schema\`.\n`,
+    declaration(root, schema),
     ...Object.entries(schema.$defs).map(([name, def]) => declaration(name, def))
   ].join('\n');

@@ -3,13 +3,10 @@ import {account} from '../../account.js';
 import {h} from '../../dom.js';
 import {short} from '../../format.js';
 import {HUE} from '../../palette.js';
+import {START, turnable} from '../../turntable.js';
 import {ball, farthestFirst, outline, outward, shade, size, turn} from './view3d.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const kStart = {yaw: 0.6, pitch: 0.4, zoom: 1};
-const kStep = 0.1; // rad for one press of an arrow key
-const kPerPixel = 0.009; // rad for one pixel of a drag
-const kSteepest = 1.45; // rad: short of looking straight along axis 1
 const kHalf = [1.15, 0.88]; // of the picture, in radii of the body
 
 function make(tag, attributes, parent) {
@@ -19,7 +16,6 @@ function make(tag, attributes, parent) {
   return element;
 }
 
-const limited = (x, low, high) => Math.min(Math.max(x, low), high);
 const point = (p, zoom) => `${(p[0] * zoom).toFixed(4)},${(-p[1] * zoom).toFixed(4)}`;
 
 /** The elements of the picture, made once; painting only moves them. */
@@ -92,60 +88,6 @@ function paint(parts, shape, body, view, share) {
   }
 }
 
-const KEYS = {
-  ArrowLeft: (v) => {
-    v.yaw -= kStep;
-  },
-  ArrowRight: (v) => {
-    v.yaw += kStep;
-  },
-  ArrowUp: (v) => {
-    v.pitch += kStep;
-  },
-  ArrowDown: (v) => {
-    v.pitch -= kStep;
-  },
-  '+': (v) => {
-    v.zoom *= 1.1;
-  },
-  '-': (v) => {
-    v.zoom /= 1.1;
-  },
-  Home: (v) => Object.assign(v, kStart)
-};
-
-/** Drag and keys change the view, then paint it. */
-function interactive(frame, view, repaint) {
-  const moved = () => {
-    view.pitch = limited(view.pitch, -kSteepest, kSteepest);
-    view.zoom = limited(view.zoom, 0.5, 4);
-    repaint();
-  };
-  /** @type {number[] | null} */
-  let last = null;
-  frame.addEventListener('pointerdown', (e) => {
-    last = [e.clientX, e.clientY];
-    frame.setPointerCapture(e.pointerId);
-  });
-  frame.addEventListener('pointermove', (e) => {
-    if (!last) return;
-    view.yaw += (e.clientX - last[0]) * kPerPixel;
-    view.pitch += (e.clientY - last[1]) * kPerPixel;
-    last = [e.clientX, e.clientY];
-    moved();
-  });
-  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
-    frame.addEventListener(end, () => {
-      last = null;
-    });
-  frame.addEventListener('keydown', (e) => {
-    if (!KEYS[e.key] || e.ctrlKey || e.metaKey || e.altKey) return;
-    e.preventDefault();
-    KEYS[e.key](view);
-    moved();
-  });
-}
-
 export function shapeFigure(shape) {
   const id = `solids-shape-${shape.name}`;
   const frame = h('div', {
@@ -171,7 +113,7 @@ export function shapeFigure(shape) {
     moved: shape.u.map((u) => size(u) / largest)
   };
   const parts = scene(shape);
-  const view = {...kStart};
+  const view = {...START};
   const share = h('input', {
     type: 'range',
     min: 0,
@@ -186,7 +128,7 @@ export function shapeFigure(shape) {
     times.textContent = `× ${short(shape.scale * Number(share.value), 3)}`;
   };
   share.addEventListener('input', repaint);
-  interactive(frame, view, repaint);
+  turnable(frame, view, repaint);
   frame.append(parts.svg);
   repaint();
   account(id, 'drawn');
@@ -205,7 +147,7 @@ export function shapeFigure(shape) {
           type: 'button',
           class: 'plain',
           onclick: () => {
-            Object.assign(view, kStart);
+            Object.assign(view, START);
             share.value = '1';
             repaint();
           }
