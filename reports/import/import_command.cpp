@@ -71,10 +71,10 @@ std::string formulation_of(const ImportRequest& request, const ImportedJoint& jo
   }
   if (request.as.empty()) {
     reports::tell(spread_table(joint));
-    throw BadInput(
-        fmt::format("{}:{}: bushing {} holds no law of rotation, on which the answer depends; allowed: --as NAME, "
-                    "one of the table",
-                    request.file, joint.line, joint.name));
+    throw BadInput(fmt::format(
+        "{}:{}: bushing {} holds no law of rotation, on which the answer depends; allowed: --as NAME, "
+        "one of the table",
+        request.file, joint.line, joint.name));
   }
   const auto allowed = candidates();
   if (std::ranges::find(allowed, request.as) == allowed.end())
@@ -110,7 +110,8 @@ std::vector<std::filesystem::path> files_of(const ImportRequest& request,
   std::vector<std::filesystem::path> out;
   for (const ImportedJoint& joint : joints) {
     std::string name = joints.size() == 1 ? stem : stem + "-" + file_name_of(joint.name);
-    for (int i = 2; std::find(out.begin(), out.end(), std::filesystem::path(name + ".toml")) != out.end(); ++i)
+    for (int i = 2; std::find(out.begin(), out.end(), std::filesystem::path(name + ".toml")) != out.end();
+         ++i)
       name = fmt::format("{}-{}-{}", stem, file_name_of(joint.name), i);
     out.emplace_back(name + ".toml");
   }

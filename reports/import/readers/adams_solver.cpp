@@ -131,8 +131,10 @@ Frame marker_of(const std::vector<AdamsStatement>& statements, const AdamsStatem
   for (const auto& statement : statements) {
     if (statement.type != "MARKER" || statement.id != id->front().text) continue;
     for (const char* other : {"ZP", "XP", "USEXP", "NODE_ID", "FLOATING"}) {
-      if (statement.find(other))
-        refuse({statement.line, other, fmt::format("MARKER/{}", statement.id)},
+      const auto* values = statement.find(other);
+      if (values)
+        refuse({values->empty() ? statement.line : values->front().line, other,
+                fmt::format("MARKER/{}", statement.id)},
                "is a way to place a marker that is not read", "QP and REULER");
     }
     const Vec3<double> o = three_of(statement, "QP", from);

@@ -25,8 +25,10 @@ struct BushingWords {
   const char* stiffness_rotational;
   const char* damping_rotational;
 };
-constexpr BushingWords kYaml{"stiffness_linear", "damping_linear", "stiffness_rotational", "damping_rotational"};
-constexpr BushingWords kJson{"Stiffness Linear", "Damping Linear", "Stiffness Rotational", "Damping Rotational"};
+constexpr BushingWords kYaml{"stiffness_linear", "damping_linear", "stiffness_rotational",
+                             "damping_rotational"};
+constexpr BushingWords kJson{"Stiffness Linear", "Damping Linear", "Stiffness Rotational",
+                             "Damping Rotational"};
 
 Source source_of(const Field& field, const char* word) {
   const Field value = field.at(word, "a number");

@@ -14,6 +14,8 @@ using nlohmann::json;
 using reference::Document;
 using reference::Refusal;
 
+constexpr int kNumberOverflow = 406;  // of nlohmann::json
+
 /// Where the parser is: it reads one character beyond a number, which may end the line.
 struct Place {
   int line = 1;
@@ -88,6 +90,8 @@ class JsonEvents : public json::json_sax_t {
     return told([&] { tree_.close_array(); });
   }
   bool parse_error(std::size_t, const std::string& last, const nlohmann::detail::exception& e) override {
+    if (e.id == kNumberOverflow)
+      refuse({place_->before_last, "a number", last}, "is too large for double precision", "a finite number");
     const std::string what = e.what();
     throw Refusal(
         "malformed_json",

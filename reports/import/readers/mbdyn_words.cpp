@@ -75,6 +75,7 @@ std::vector<Statement> statements_of(std::string_view text) {
     if (!quoted && c == ';') out.push_back(std::exchange(statement, {}));
     if (c == '\n') ++line;
   }
+  if (statement.empty() && !trimmed(word.text).empty()) statement.push_back(word.done("a statement", line));
   if (!statement.empty())
     refuse({statement.front().line, statement.front().key, statement.front().text}, "has no end",
            "a statement that ends with ;");

@@ -41,7 +41,8 @@ XmlFile::XmlFile(std::string_view text) {
   document_.traverse(gatherer);
   if (gatherer.deepest > kDeepestElement)
     refuse({line_at(gatherer.deepest_node.offset_debug()), gatherer.deepest_node.name(), "an element"},
-           fmt::format("is nested deeper than {} levels", kDeepestElement), fmt::format("up to {}", kDeepestElement));
+           fmt::format("is nested deeper than {} levels", kDeepestElement),
+           fmt::format("up to {}", kDeepestElement));
 }
 
 int XmlFile::line_at(std::ptrdiff_t offset) const {
