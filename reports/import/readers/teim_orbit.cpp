@@ -140,6 +140,14 @@ AxisLaw axis_of(const Block& block, const char* name, const Units& units, int st
   return out;
 }
 
+void note_short_curve(const char* name, const Block& block, ImportedJoint& joint) {
+  const std::size_t rows = joint.axes.back().x.size();
+  if (rows > 0 && rows < kFewestAkima)
+    joint.notes.push_back(
+        fmt::format("[{}] (line {}): {} rows are too few for Akima's interpolation: straight lines", name,
+                    block.line, rows));
+}
+
 void read_curves(const Blocks& blocks, const Units& units, ImportedJoint& joint) {
   for (int i = 0; i < 6; ++i) {
     const auto found = blocks.find(kCurves[i]);
@@ -147,6 +155,7 @@ void read_curves(const Blocks& blocks, const Units& units, ImportedJoint& joint)
       refuse({1, fmt::format("[{}]", kCurves[i]), ""}, "is missing",
              "six blocks of curves, FX_CURVE to TZ_CURVE");
     joint.axes.push_back(axis_of(found->second, kCurves[i], units, i));
+    note_short_curve(kCurves[i], found->second, joint);
     joint.law_from.push_back(
         {found->second.line, kCurves[i], fmt::format("{} rows", found->second.rows.size())});
   }

@@ -22,6 +22,9 @@ struct AxisLaw {
   std::vector<double> x{}, y{};  ///< m or rad, ascending; N or N m
 };
 
+/// Points that Akima's interpolation needs; fewer are joined by straight lines.
+inline constexpr std::size_t kFewestAkima = 5;
+
 struct ImportedJoint {
   std::string name{};         ///< of the bushing in its file
   std::string program{};      ///< whose file it is

@@ -72,7 +72,8 @@ std::string stiffness_text(const Eigen::MatrixXd& K) {
 
 std::string axis_text(const AxisLaw& axis) {
   if (axis.x.empty()) return fmt::format("stiffness = {}\n", digits(axis.stiffness));
-  return fmt::format("x = {}\ny = {}\ninterpolation = \"akima\"\n", list(axis.x), list(axis.y));
+  return fmt::format("x = {}\ny = {}\ninterpolation = \"{}\"\n", list(axis.x), list(axis.y),
+                     axis.x.size() < kFewestAkima ? "linear" : "akima");
 }
 
 std::string law_text(const ImportedJoint& joint) {
