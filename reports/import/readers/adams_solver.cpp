@@ -121,26 +121,27 @@ Units units_from(const std::vector<AdamsStatement>& statements, const ImportOpti
   return out;
 }
 
+using Markers = std::map<std::string, const AdamsStatement*, std::less<>>;
+
 /// The marker that I or J names, on its part.
-Frame marker_of(const std::vector<AdamsStatement>& statements, const AdamsStatement& bushing, const char* key,
+Frame marker_of(const Markers& markers, const AdamsStatement& bushing, const char* key,
                 std::vector<Source>& from) {
   const auto* id = bushing.find(key);
   if (!id || id->size() != 1)
     refuse({bushing.line, key, ""}, fmt::format("is missing in BUSHING/{}", bushing.id),
            "the id of a MARKER");
-  for (const auto& statement : statements) {
-    if (statement.type != "MARKER" || statement.id != id->front().text) continue;
-    for (const char* other : {"ZP", "XP", "USEXP", "NODE_ID", "FLOATING"}) {
-      const auto* values = statement.find(other);
-      if (values)
-        refuse({values->empty() ? statement.line : values->front().line, other,
-                fmt::format("MARKER/{}", statement.id)},
-               "is a way to place a marker that is not read", "QP and REULER");
-    }
-    const Vec3<double> o = three_of(statement, "QP", from);
-    return {o, turns({2, 0, 2}, three_of(statement, "REULER", from, true))};
+  const auto found = markers.find(id->front().text);
+  if (found == markers.end()) refuse(id->front(), "is no MARKER of the file", "the id of a MARKER");
+  const AdamsStatement& marker = *found->second;
+  for (const char* other : {"ZP", "XP", "USEXP", "NODE_ID", "FLOATING"}) {
+    const auto* values = marker.find(other);
+    if (values)
+      refuse(
+          {values->empty() ? marker.line : values->front().line, other, fmt::format("MARKER/{}", marker.id)},
+          "is a way to place a marker that is not read", "QP and REULER");
   }
-  refuse(id->front(), "is no MARKER of the file", "the id of a MARKER");
+  const Vec3<double> o = three_of(marker, "QP", from);
+  return {o, turns({2, 0, 2}, three_of(marker, "REULER", from, true))};
 }
 
 void read_law(const AdamsStatement& bushing, const Units& units, ImportedJoint& joint) {
@@ -167,6 +168,10 @@ void read_law(const AdamsStatement& bushing, const Units& units, ImportedJoint& 
 
 std::vector<ImportedJoint> read_adams_solver(std::string_view text, const ImportOptions& options) {
   const auto statements = statements_of_adams(text);
+  Markers markers;
+  for (const auto& statement : statements) {
+    if (statement.type == "MARKER") markers.emplace(statement.id, &statement);
+  }
   std::vector<ImportedJoint> out;
   for (const auto& statement : statements) {
     if (statement.type != "BUSHING") continue;
@@ -175,8 +180,8 @@ std::vector<ImportedJoint> read_adams_solver(std::string_view text, const Import
     joint.name = statement.id;
     joint.line = statement.line;
     const Units units = units_from(statements, options, joint);
-    joint.a = marker_of(statements, statement, "J", joint.a_from);
-    joint.b = marker_of(statements, statement, "I", joint.b_from);
+    joint.a = marker_of(markers, statement, "J", joint.a_from);
+    joint.b = marker_of(markers, statement, "I", joint.b_from);
     joint.a.o *= units.length, joint.b.o *= units.length;
     read_law(statement, units, joint);
     out.push_back(joint);

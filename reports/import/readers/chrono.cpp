@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace halfway::imports {

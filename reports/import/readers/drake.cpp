@@ -3,6 +3,7 @@
 #include "reports/import/record/frames.hpp"
 
 #include <fmt/format.h>
+#include <cmath>
 
 namespace halfway::imports {
 namespace {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfway::imports {
 namespace {

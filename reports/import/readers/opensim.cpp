@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 
 namespace halfway::imports {
 namespace {
@@ -30,40 +32,47 @@ Frame offset_of(const Tag& tag, const char* location, const char* orientation, s
 /// The last part of a path such as ../bodyset/pelvis.
 std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// The offset frame of that name: the bushing's own before others of the document.
-std::optional<Tag> offset_frame(const Tag& root, const Tag& bushing, const std::string& name) {
-  for (const Tag& holder : {bushing, root}) {
-    for (const Tag& frame : holder.all("PhysicalOffsetFrame")) {
+/// What sockets may lead to, looked for once.
+class Frames {
+ public:
+  explicit Frames(const Tag& root) {
+    for (const Tag& frame : root.all("PhysicalOffsetFrame"))
+      offsets_.emplace(frame.attribute_or("name", ""), frame);
+    for (const Tag& body : root.all("Body")) bodies_.insert(body.attribute_or("name", ""));
+  }
+
+  /// Where the frame that a socket of the bushing names is on its body.
+  Frame on_body(const Tag& bushing, const Source& socket, std::vector<Source>& from) const {
+    Frame out;
+    std::string name = last_part(socket.text);
+    for (int i = 0; i < kMostFrames; ++i) {
+      const auto frame = offset_frame(bushing, name);
+      if (!frame && (name == "ground" || bodies_.contains(name))) return out;
+      if (!frame)
+        refuse(socket, fmt::format("leads to '{}', which is no offset frame or body of the document", name),
+               "the path of a PhysicalOffsetFrame, of a Body, or ground");
+      out = in_frame(offset_of(*frame, "translation", "orientation", from), out);
+      name = last_part(frame->need("socket_parent").text().text);
+    }
+    refuse(socket, "leads round in a circle, or through too many frames",
+           "a chain of offset frames that ends at a body");
+  }
+
+ private:
+  /// The bushing's own before others of the document.
+  std::optional<Tag> offset_frame(const Tag& bushing, const std::string& name) const {
+    for (const Tag& frame : bushing.all("PhysicalOffsetFrame")) {
       if (frame.attribute_or("name", "") == name) return frame;
     }
+    const auto found = offsets_.find(name);
+    return found == offsets_.end() ? std::nullopt : std::optional(found->second);
   }
-  return std::nullopt;
-}
 
-bool is_body(const Tag& root, const std::string& name) {
-  const auto bodies = root.all("Body");
-  return name == "ground" ||
-         std::ranges::any_of(bodies, [&](const Tag& body) { return body.attribute_or("name", "") == name; });
-}
+  std::map<std::string, Tag> offsets_{};
+  std::set<std::string> bodies_{};
+};
 
-/// Where the frame that a socket names is on its body.
-Frame on_body(const Tag& root, const Tag& bushing, const Source& socket, std::vector<Source>& from) {
-  Frame out;
-  std::string name = last_part(socket.text);
-  for (int i = 0; i < kMostFrames; ++i) {
-    const auto frame = offset_frame(root, bushing, name);
-    if (!frame && is_body(root, name)) return out;
-    if (!frame)
-      refuse(socket, fmt::format("leads to '{}', which is no offset frame or body of the document", name),
-             "the path of a PhysicalOffsetFrame, of a Body, or ground");
-    out = in_frame(offset_of(*frame, "translation", "orientation", from), out);
-    name = last_part(frame->need("socket_parent").text().text);
-  }
-  refuse(socket, "leads round in a circle, or through too many frames",
-         "a chain of offset frames that ends at a body");
-}
-
-void read_places(ImportedJoint& joint, const Tag& root, const Tag& tag) {
+void read_places(ImportedJoint& joint, const Frames& frames, const Tag& tag) {
   const bool is_old = tag.child("body_1") || tag.child("body_2");
   if (is_old) {
     tag.need("body_1"), tag.need("body_2");
@@ -71,17 +80,17 @@ void read_places(ImportedJoint& joint, const Tag& root, const Tag& tag) {
     joint.b = offset_of(tag, "location_body_2", "orientation_body_2", joint.b_from);
     return;
   }
-  joint.a = on_body(root, tag, tag.need("socket_frame1").text(), joint.a_from);
-  joint.b = on_body(root, tag, tag.need("socket_frame2").text(), joint.b_from);
+  joint.a = frames.on_body(tag, tag.need("socket_frame1").text(), joint.a_from);
+  joint.b = frames.on_body(tag, tag.need("socket_frame2").text(), joint.b_from);
 }
 
-ImportedJoint bushing_of(const Tag& root, const Tag& tag) {
+ImportedJoint bushing_of(const Frames& frames, const Tag& tag) {
   ImportedJoint joint;
   joint.program = "OpenSim";
   joint.name = tag.attribute("name").text;
   joint.line = tag.line();
   joint.formulation = "simbody_xyz";
-  read_places(joint, root, tag);
+  read_places(joint, frames, tag);
   joint.K = Eigen::MatrixXd::Zero(6, 6);
   int row = 0;
   for (const char* word : {"translational_stiffness", "rotational_stiffness"}) {
@@ -105,8 +114,9 @@ ImportedJoint bushing_of(const Tag& root, const Tag& tag) {
 
 std::vector<ImportedJoint> read_opensim(const XmlFile& file) {
   const Tag root = file.root();
+  const Frames frames(root);
   std::vector<ImportedJoint> out;
-  for (const Tag& tag : root.all("BushingForce")) out.push_back(bushing_of(root, tag));
+  for (const Tag& tag : root.all("BushingForce")) out.push_back(bushing_of(frames, tag));
   for (const char* other : {"ExpressionBasedBushingForce", "FunctionBasedBushingForce"}) {
     for (const Tag& tag : root.all(other)) {
       const Source at{tag.line(), other, tag.attribute_or("name", "")};

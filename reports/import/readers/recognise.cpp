@@ -21,6 +21,8 @@ constexpr const char* kKinds =
     "  Adams .adm        BUSHING with MARKER and UNITS                    --as NAME\n"
     "  Nastran           PBUSH, CBUSH, GRID, CORD2R                       --as NAME\n";
 
+constexpr std::size_t kMostJoints = 1000;  // a scene file each
+
 constexpr const char* kAllowed =
     "Drake SDF or URDF, OpenSim .osim, Chrono YAML or JSON, MBDyn, Adams .bus or .adm, Nastran (./halfway "
     "import --help)";
@@ -73,7 +75,9 @@ void refuse_known(std::string_view text) {
 
 const char* kinds_read() { return kKinds; }
 
-std::vector<ImportedJoint> read_joints(std::string_view text, const ImportOptions& options) {
+namespace {
+
+std::vector<ImportedJoint> read_any(std::string_view text, const ImportOptions& options) {
   if (text.size() > kLargestFile)
     refuse({1, "the file", fmt::format("{} bytes", text.size())}, "is too long",
            fmt::format("up to {} MB", kLargestFile >> 20));
@@ -88,6 +92,16 @@ std::vector<ImportedJoint> read_joints(std::string_view text, const ImportOption
   if (contains(text, "deformable ") || has_line(lines, "BEGIN:")) return read_mbdyn(text, options);
   if (contains(text, "bushing_data") || contains(text, "chrono-version")) return read_chrono_yaml(text);
   refuse_file(text, "is of no kind known here", kAllowed);
+}
+
+}  // namespace
+
+std::vector<ImportedJoint> read_joints(std::string_view text, const ImportOptions& options) {
+  auto out = read_any(text, options);
+  if (out.size() > kMostJoints)
+    refuse({1, "the file", fmt::format("{} bushings", out.size())}, "holds too many",
+           fmt::format("up to {}", kMostJoints));
+  return out;
 }
 
 }  // namespace halfway::imports

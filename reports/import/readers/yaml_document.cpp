@@ -7,7 +7,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <charconv>
+#include <optional>
 #include <sstream>
+#include <vector>
 
 namespace halfway::imports {
 namespace {

@@ -12,6 +12,36 @@
 namespace halfway::imports {
 namespace {
 
+/// Bytes of the UTF-8 character that begins at `at`, 0 where none does. Surrogates and what is longer than it need be
+/// are none.
+std::size_t character_at(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  const unsigned second = byte(1);
+  const bool is_short = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool is_beyond = (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
+  return first < 0xC2 || first > 0xF4 || is_short || is_beyond ? 0 : size;
+}
+
+/// What TOML takes: no control characters, and '?' for bytes that are no UTF-8, as of files in Latin-1.
+std::string readable(std::string_view text) {
+  const std::string shown = reports::printable(text);
+  std::string out;
+  for (std::size_t i = 0; i < shown.size();) {
+    const std::size_t size = character_at(shown, i);
+    out += size ? shown.substr(i, size) : "?";
+    i += size ? size : 1;
+  }
+  return out;
+}
+
 /// All digits, and no -0.
 std::string digits(double value) { return fmt::format("{}", value + 0.0); }
 
@@ -36,7 +66,7 @@ std::string rows(const Eigen::MatrixXd& m) {
 /// As a TOML text.
 std::string quoted(const std::string& text) {
   std::string out;
-  for (const char c : reports::printable(text)) {
+  for (const char c : readable(text)) {
     if (c == '"' || c == '\\') out += '\\';
     out += c;
   }
@@ -52,7 +82,7 @@ std::string origin(const std::vector<Source>& from) {
     if (!from[i].text.empty()) out += " = " + reference::shortened(from[i].text);
   }
   if (from.size() > kMost) out += "; ...";
-  return reports::printable(out);
+  return readable(out);
 }
 
 std::string with_origin(const std::string& text, const std::vector<Source>& from) {
@@ -107,10 +137,10 @@ const char* kind_name(Kind kind) {
 
 std::string scene_text(const ImportedJoint& joint, const std::string& file, const std::string& formulation,
                        const ExampleLoad& load) {
-  std::string out = fmt::format("# From {} ({}), {} in line {}.\n", reports::printable(file), joint.program,
-                                reports::printable(reference::shortened(joint.name)), joint.line);
-  for (const std::string& what : joint.lost) out += "# Lost: " + reports::printable(what) + "\n";
-  for (const std::string& what : joint.notes) out += "# Note: " + reports::printable(what) + "\n";
+  std::string out = fmt::format("# From {} ({}), {} in line {}.\n", readable(file), joint.program,
+                                readable(reference::shortened(joint.name)), joint.line);
+  for (const std::string& what : joint.lost) out += "# Lost: " + readable(what) + "\n";
+  for (const std::string& what : joint.notes) out += "# Note: " + readable(what) + "\n";
   out += fmt::format("title = {}\n", quoted(reference::shortened(joint.name) + " of " + file));
   out +=
       fmt::format("source = {}\n", quoted(fmt::format("{}, line {} ({})", file, joint.line, joint.program)));
