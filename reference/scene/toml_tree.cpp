@@ -68,7 +68,8 @@ void add_value(const toml::node& node, std::string_view key, int line, Document&
     add(Type::text).text = out.keep(*text);
   } else if (node.is_number()) {
     DocumentNode& value = add(Type::number);
-    value.number = *node.value<double>();
+    // toml++ has no double for an integer beyond 2^53.
+    value.number = node.is_integer() ? double(*node.value_exact<int64_t>()) : *node.value_exact<double>();
     value.is_integer = node.is_integer();
     value.text = out.keep(written(node));
   } else if (const auto boolean = node.value_exact<bool>()) {

@@ -178,6 +178,7 @@ BOOST_AUTO_TEST_CASE(scenes_are_read_back) {
   ImportedJoint joint = only_joint(sample("opensim_old.osim"));
   joint.name = "a\"\\\n\x1b[31m#]='";
   joint.lost = {"x\ny = 1"};
+  joint.K(0, 0) = 9238795325112868.0;  // an integer beyond 2^53
   const reference::Scene scene = written_scene(joint);
   BOOST_TEST((scene.joint.a.o == joint.a.o));
   BOOST_TEST((std::get<reference::LinearSpec>(scene.joint.law).matrix == joint.K));
