@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace halfway::imports {
 namespace {
@@ -177,34 +178,42 @@ void read_place(const Deck& deck, const Card& element, ImportedJoint& joint) {
   joint.a.H = joint.b.H = element_axes(deck, element, a, b, joint.a_from);
 }
 
-/// Groups of a flag and up to six numbers, eight fields each.
+constexpr std::string_view kFlags[] = {"K", "B", "GE", "RCV", "M", "T", "KN", "ALPHA"};
+
+/// Up to six numbers behind a flag; what is blank is zero.
+struct Group {
+  Source at{};
+  std::vector<double> values{};
+};
+
+Group group_at(const Card& property, std::size_t at, const std::string& flag) {
+  Group out{{property.field(at, "flag").line, "PBUSH " + flag, ""}};
+  for (std::size_t i = 1; i <= 6; ++i) {
+    const Source value = property.field(at + i, (flag + std::to_string(i)).c_str());
+    out.values.push_back(real_or_zero(value));
+    if (flag == "K" && out.values.back() < 0) refuse(value, "is a negative stiffness", "numbers >= 0");
+    out.at.text += (i == 1 ? "" : ", ") + (value.text.empty() ? "-" : value.text);
+  }
+  return out;
+}
+
+/// Each group begins a line, or follows the eight fields of another.
 void read_law(const Card& property, ImportedJoint& joint) {
   joint.K = Eigen::MatrixXd::Zero(6, 6);
+  std::set<std::string> seen;
   for (std::size_t at = 3; at - 2 < property.fields.size(); at += 8) {
     const Source flag = property.field(at, "flag");
     const std::string name = upper(flag.text);
     if (name.empty()) continue;
-    if (name != "K" && name != "B" && name != "GE" && name != "RCV" && name != "M" && name != "T" &&
-        name != "KN" && name != "ALPHA")
-      refuse(flag, "is not known", "K, B, GE, RCV, M");
-    std::vector<double> values;
-    std::string all;
-    for (std::size_t i = 1; i <= 6; ++i) {
-      const Source value = property.field(at + i, (name + std::to_string(i)).c_str());
-      values.push_back(name == "K" ? (value.text.empty() ? 0 : [&] {
-        const double k = real_of(value);
-        if (k < 0) refuse(value, "is a negative stiffness", "numbers >= 0");
-        return k;
-      }())
-                                   : real_or_zero(value));
-      all += (i == 1 ? "" : ", ") + (value.text.empty() ? "-" : value.text);
-    }
-    const Source group{flag.line, "PBUSH " + name, all};
+    if (std::ranges::find(kFlags, name) == std::end(kFlags))
+      refuse(flag, "is not known", "K, B, GE, RCV, M, T");
+    if (!seen.insert(name).second) refuse(flag, "stands twice in its card", "each flag once");
+    const Group group = group_at(property, at, name);
     if (name == "K") {
-      for (int i = 0; i < 6; ++i) joint.K(i, i) = values[std::size_t(i)];
-      joint.law_from.push_back(group);
+      for (int i = 0; i < 6; ++i) joint.K(i, i) = group.values[std::size_t(i)];
+      joint.law_from.push_back(group.at);
     } else {
-      lose(joint, group, values, name == "B" || name == "GE" ? kNoDamping : "a scene cannot say it");
+      lose(joint, group.at, group.values, name == "B" || name == "GE" ? kNoDamping : "a scene cannot say it");
     }
   }
 }

@@ -149,6 +149,8 @@ std::vector<Bad> bad_files() {
       {"bush.bdf", "CBUSH,101,8,1,2,0.,1.,0.", "CBUSH,101,8,1,2,2.,0.,1.", 8, "gives no axes"},
       {"bush.bdf", "CBUSH,101,8,1,2", "CBUSH,101,8,1,3", 8, "CBUSH GB = 3: is no GRID"},
       {"bush.bdf", "GRID,2,,", "GRID,2,9,", 4, "GRID CP = 9: is another coordinate system"},
+      {"bush.bdf", "PBUSH,8,K,1.E3", "PBUSH,8,K,1.E3,,,,,,\n,,K,1.E3", 12,
+       "PBUSH flag = K: stands twice in its card"},
       {"bush.bdf", "PBUSH,8,K", "PBUSH,7,K", 11, "PBUSH id = 7: stands twice"},
   };
 }
