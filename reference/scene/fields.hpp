@@ -41,6 +41,8 @@ class Field {
   /// Accepted, but not as it stands: said once, by the door.
   void note(const std::string& what) const;
   const Dialect& dialect() const { return document_->dialect; }
+  int line() const { return node().line; }
+  std::string_view key() const { return node().key; }  ///< in the table that holds it
 
   // Tables.
   void has_only(NameView keys) const;  ///< [unknown_key]
@@ -51,6 +53,7 @@ class Field {
   // Arrays.
   class Items;
   Items items(std::string_view allowed = "an array") const;
+  bool is_table() const { return node().type == DocumentNode::Type::table; }
   bool is_array() const { return node().type == DocumentNode::Type::array; }
   bool is_table() const { return node().type == DocumentNode::Type::table; }
   bool holds_arrays() const;  ///< also as { values, unit }

@@ -68,7 +68,8 @@ void add_value(const toml::node& node, std::string_view key, int line, Document&
     add(Type::text).text = out.keep(*text);
   } else if (node.is_number()) {
     DocumentNode& value = add(Type::number);
-    value.number = *node.value<double>();
+    // toml++ has no double for an integer beyond 2^53.
+    value.number = node.is_integer() ? double(*node.value_exact<int64_t>()) : *node.value_exact<double>();
     value.is_integer = node.is_integer();
     value.text = out.keep(written(node));
   } else if (const auto boolean = node.value_exact<bool>()) {
@@ -123,16 +124,19 @@ std::string line_of(const std::string& text, std::size_t number) {
 
 }  // namespace
 
-void read_toml(const std::filesystem::path& file, Document& out) {
-  const std::string text = content(file);
+void read_toml_text(const std::string& text, const std::string& name, Document& out) {
   if (const int line = line_of_deep_key(text)) refuse_depth(line);
   try {
-    add(toml::parse(text, file.string()), {}, 1, out);
+    add(toml::parse(text, name), {}, 1, out);
   } catch (const toml::parse_error& error) {
     const auto line = std::max<toml::source_index>(1, error.source().begin.line);
-    throw SceneError(fmt::format("{}:{}: {}: is not TOML ({}); allowed: TOML 1.0", file.string(), line,
+    throw SceneError(fmt::format("{}:{}: {}: is not TOML ({}); allowed: TOML 1.0", name, line,
                                  line_of(text, line), shortened(std::string(error.description()))));
   }
+}
+
+void read_toml(const std::filesystem::path& file, Document& out) {
+  read_toml_text(content(file), file.string(), out);
 }
 
 }  // namespace halfway::reference

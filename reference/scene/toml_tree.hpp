@@ -11,4 +11,7 @@ namespace halfway::reference {
 /// not TOML, Refusal [too_deep] when it is nested deeper than kDeepestNesting.
 void read_toml(const std::filesystem::path& file, Document& out);
 
+/// The same of a text that no file holds yet; `name` stands for it in messages.
+void read_toml_text(const std::string& text, const std::string& name, Document& out);
+
 }  // namespace halfway::reference
