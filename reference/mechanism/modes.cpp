@@ -63,6 +63,7 @@ Modes modes(const Follower<double>& path, bool with_masses) {
   const Matrix<double> Z = free_columns(equations.held_directions());
   const Matrix<double> K = Z.transpose() * equations.tangent() * Z;
   Modes out;
+  if (Z.cols() == 0) return out;
   for (const auto& value : eigenvalues((K + K.transpose()) / 2)) out.eigenvalues.push_back(value.real());
   std::ranges::sort(out.eigenvalues);
   if (with_masses) add_motion(K, Z.transpose() * masses(path) * Z, out);
