@@ -41,8 +41,8 @@ class Follower {
 
   /// The equations at what was reached.
   Equations<T> equations() const;
-  /// At an equilibrium between what was reached and another factor of the same stage: the sign of the
-  /// tangent's determinant, 0 where none is found.
+  /// At the equilibrium of a later load factor: the sign of the tangent's determinant, 0 where none is
+  /// found.
   int sign_at(const T& factor) const;
 
   const Model<T>& model() const { return model_; }

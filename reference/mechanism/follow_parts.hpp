@@ -209,8 +209,9 @@ Equations<T> Follower<T>::equations() const {
 
 template <class T>
 int Follower<T>::sign_at(const T& factor) const {
-  const Reached<T> there = follow(reached_, stage_, factor);
-  return there.factor == factor ? there.sign : 0;
+  Follower there = *this;  // it may have to enter the next step
+  const Reached<T>& reached = there.advance(factor);
+  return reached.factor == factor ? reached.sign : 0;
 }
 
 }  // namespace halfway::reference::mechanism

@@ -60,7 +60,9 @@ std::string named_direction(const Model<double>& model, const FreeDirections& fr
       const Vec3<double> part = body.E * share.segment<3>(turns ? 3 : 0);
       if (!(part.norm() > largest * (1 + 1e-6))) continue;
       largest = part.norm();
-      const Vec3<double> n = part / part.cwiseAbs().maxCoeff();
+      Eigen::Index most = 0;
+      part.cwiseAbs().maxCoeff(&most);
+      const Vec3<double> n = part / part[most];
       const auto shown = [](double x) { return std::abs(x) < 1e-9 ? 0 : x; };
       out = fmt::format("{} ({:.3g}, {:.3g}, {:.3g}) of body {}",
                         turns ? "rotation about" : "displacement along", shown(n[0]), shown(n[1]),

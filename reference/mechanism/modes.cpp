@@ -1,9 +1,8 @@
 // Small motions about an equilibrium: M z'' + K z = 0 where nothing is prescribed.
+#include "reference/mechanism/invert.hpp"
 #include "reference/mechanism/outputs.hpp"
 #include "reference/numbers/linear_algebra.hpp"
 #include "reference/record/worst.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +37,23 @@ Matrix<double> free_columns(const Matrix<double>& G) {
   return singular_values(G).v.rightCols(G.cols() - G.rows());
 }
 
+/// Z^T A Z
+Matrix<double> of_columns(const Matrix<double>& A, const Matrix<double>& Z) {
+  const Matrix<double> right = A.lazyProduct(Z);
+  return Z.transpose().lazyProduct(right);
+}
+
 void add_motion(const Matrix<double>& K, const Matrix<double>& M, Modes& out) {
-  const Eigen::LLT<Matrix<double>> root(M);
-  const Matrix<double> half = root.matrixL().solve(K);
-  const auto squares = eigenvalues(root.matrixL().solve(half.transpose()).transpose());
+  Matrix<double> inverse = M;
+  invert(inverse);
+  const auto squares = eigenvalues(inverse.lazyProduct(K));
   double largest = 0;
   for (const auto& square : squares) keep_largest(largest, std::abs(square));
   // Each is known to a rounding of the largest, and a pair that meets to the root of it.
-  constexpr double kRounding = 1e-15, kNothing = 1e-13;
+  constexpr double kRounding = 1e-15, kAtRest = 1e-13;
   for (auto square : squares) {
     const bool is_real = std::abs(square.imag()) <= 30 * std::sqrt(kRounding * largest * std::abs(square));
-    if (is_real) square = square.real() < 0 && square.real() > -kNothing * largest ? 0 : square.real();
+    if (is_real) square = square.real() < 0 && square.real() > -kAtRest * largest ? 0 : square.real();
     const auto s = std::sqrt(-square);
     out.frequencies.push_back(std::abs(s.imag()) / (2 * std::numbers::pi));
     if (std::abs(s.real()) > out.growth) out.growth = std::abs(s.real()), out.flutters = !is_real;
@@ -61,11 +66,12 @@ void add_motion(const Matrix<double>& K, const Matrix<double>& M, Modes& out) {
 Modes modes(const Follower<double>& path, bool with_masses) {
   const Equations<double> equations = path.equations();
   const Matrix<double> Z = free_columns(equations.held_directions());
-  const Matrix<double> K = Z.transpose() * equations.tangent() * Z;
+  const Matrix<double> K = of_columns(equations.tangent(), Z);
   Modes out;
+  if (Z.cols() == 0) return out;
   for (const auto& value : eigenvalues((K + K.transpose()) / 2)) out.eigenvalues.push_back(value.real());
   std::ranges::sort(out.eigenvalues);
-  if (with_masses) add_motion(K, Z.transpose() * masses(path) * Z, out);
+  if (with_masses) add_motion(K, of_columns(masses(path), Z), out);
   return out;
 }
 

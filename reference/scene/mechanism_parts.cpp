@@ -242,7 +242,8 @@ void read_bodies_and_joints(const Field& file, MechanismScene& scene) {
       for (const Field joint : joints->items()) scene.joints.push_back(read_scene_joint(joint, scene));
     }
   }
-  if (scene.joints.empty()) file.at("joint", "at least one table [[joint]]");
+  if (scene.joints.empty())
+    file.at("joint", "at least one table [[joint]]").refuse("is empty", "at least one table [[joint]]");
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
     SceneBody& body = scene.bodies[i];
     const Field table = body_field(file, body.name);

@@ -26,7 +26,9 @@ Principal principal_stiffness(const Scene& scene) {
   };
   if (scene.joint.kind != Kind::angular) refuse("has another kind of joint");
   if (!std::holds_alternative<reference::LinearSpec>(scene.joint.law)) refuse("has a law that is not linear");
-  const auto is_fixed = [](const auto& load) { return load.type == reference::LoadType::fixed_moment; };
+  const auto is_fixed = [](const auto& load) {
+    return load.type == reference::LoadType::fixed_moment && !load.held;
+  };
   if (!std::ranges::all_of(scene.loads, is_fixed)) refuse("has another load");
   const auto at_rest = reference::AnyLaw<double, 3>(scene.joint.law)(Vec3<double>::Zero());
   const Principal out(at_rest.stiffness);

@@ -76,7 +76,7 @@ Entry stressed(const Entry& entry, const Vec3<double>& moment) {
 
 /// Stresses at rest do what a held load of the opposite sign does: by both solvers.
 Finding stresses(const Entry& entry, Kind, Draft f) {
-  const Scene free = generic_scene(entry, Kind::angular, 0.05);
+  const Scene free = generic_scene(entry, Kind::angular, 0.03);
   const Vec3<double> moment = free.loads[4].value;
   Scene loaded = free, plain = free;
   SceneLoad held{LoadType::fixed_moment, -moment};

@@ -79,11 +79,12 @@ double give(double stiffness) {
   load.value = {100, -300, 0};
   load.body = 2;
   scene.loads = {load};
+  scene.outputs = {"rocker.theta_z"};
   const Curve curve = reference::solve_scene(scene, {&entry_of("invariant"), 0.5});
   double rigid = std::nan("");
   for (const auto& r : scene.references)
     if (r.output == "rocker.theta_z" && r.factor == 1) rigid = std::stod(r.value);
-  return curve.converged ? tapped(curve.rows.back()[3]) - rigid : std::nan("");
+  return curve.converged ? tapped(curve.rows.back()[1]) - rigid : std::nan("");
 }
 
 std::vector<Finding> stiff_pins() {

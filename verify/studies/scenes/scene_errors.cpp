@@ -45,7 +45,7 @@ constexpr Broken kBroken[] = {
     {"unknown_key_law", "joint.law.k1 = ", "stiffness = [1, 2, 3]",
      "stiffness = [1, 2, 3]\nk1 = [1, 2, 3] #!"},
     {"unknown_key_load", "load[1].factor = ", "value = [0, 0, 1]", "value = [0, 0, 1]\nfactor = 2 #!"},
-    {"unknown_key_path", "path.steps = ", "points = 20", "steps = 20 #!"},
+    {"unknown_key_path", "path.stops = ", "points = 20", "stops = 20 #!"},
     {"unknown_key_reference", "reference[1].tol = ", "tolerance = 1e-6", "tol = 1e-6 #!"},
     {"missing_title", "title = nothing", "title = \"good\"", "#!"},
     {"missing_kind", "joint.kind = nothing", "[joint]\nkind = \"angular\"", "[joint] #!"},

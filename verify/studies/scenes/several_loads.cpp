@@ -1,5 +1,6 @@
-// Forces at several points and moments of both kinds at once: the balance of the loaded node, its tangent and
-// the outputs, against loads that are added up at the node itself and where it stands in space.
+// Forces at several points and moments of both kinds at once, some of them held: the balance of the loaded
+// node, its tangent and the outputs, against loads that are added up at the node itself and where it stands
+// in space.
 #include "reference/numbers/random.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/oracle/probes.hpp"
@@ -18,7 +19,7 @@ using reference::Scene;
 using reference::Setting;
 
 /// A probe's joint under three forces and both moments, each of which alone would turn it by about `angle`,
-/// rad: five times 0.1 is what jointc carries.
+/// rad: five times 0.1 is what jointc carries; and small ones that are held.
 Scene loaded(const Entry& entry, Kind kind, double angle) {
   Scene out;
   out.name = "several_loads";
@@ -30,6 +31,10 @@ Scene loaded(const Entry& entry, Kind kind, double angle) {
     out.loads.push_back({LoadType::fixed_force, random.vector(size), random.vector(0.5)});
   for (const LoadType type : {LoadType::fixed_moment, LoadType::follower_moment})
     out.loads.push_back({type, random.vector(size), Vec3<double>::Zero()});
+  for (const LoadType type : {LoadType::follower_force, LoadType::fixed_force}) {
+    out.loads.push_back({type, random.vector(size / 10), random.vector(0.5)});
+    out.loads.back().held = true;
+  }
   return out;
 }
 
@@ -49,8 +54,8 @@ Eigen::Matrix<T, 6, 1> imbalance(const Entry& entry, const Scene& scene, const S
   Eigen::Matrix<T, 6, 1> out = -q.template segment<6>(setting.nodes_exchanged ? 0 : 6);
   for (const reference::SceneLoad& load : scene.loads) {
     const Vec3<T> value = load.value.cast<T>();
-    const Vec3<T> global = load.type == LoadType::follower_moment ? node.R * value : clamped.R * value;
-    if (load.type == LoadType::fixed_force) {
+    const Vec3<T> global = follows(load.type) ? node.R * value : clamped.R * value;
+    if (is_force(load.type)) {
       out.template head<3>() += global;
       out.template tail<3>() += (node.R * load.point.cast<T>()).cross(global);
     } else {
