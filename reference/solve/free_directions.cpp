@@ -142,7 +142,7 @@ Scene eased(const Scene& scene, double factor) {
   Eigen::MatrixXd more = Eigen::MatrixXd::Zero(load.size(), load.size());
   for (const Eigen::VectorXd& strain : Free(scene).with_play) {
     Eigen::Index i = 0;
-    strain.cwiseAbs().maxCoeff(&i);  // curves are along the axes
+    while (strain[i] == 0) ++i;  // curves are along the axes
     more(i, i) = std::abs(load[i]) / (kFar * visit_unshifted(Reach{i}, scene.joint.law));
   }
   Scene out = scene;

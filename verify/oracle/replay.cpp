@@ -85,8 +85,7 @@ std::string inline_toml(const json& value) {
 std::string law_text(const reference::LawSpec& law) {
   const json all = law_of(law);
   std::string out;
-  for (const auto& [key, value] : all.items())
-    out += fmt::format("{} = {}\n", key, inline_toml(value));
+  for (const auto& [key, value] : all.items()) out += fmt::format("{} = {}\n", key, inline_toml(value));
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_spline.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -62,11 +63,12 @@ class Spline {
 
   /// Work from 0 to e by adaptive quadrature, which is told where the pieces end.
   double work(double e) const {
-    std::vector<double> ends = {std::fmin(0.0, e)};
+    const double from = e < 0 ? e : 0, to = e < 0 ? 0 : e;
+    std::vector<double> ends = {from};
     for (const double x : table_.x) {
-      if (x > ends.front() && x < std::fmax(0.0, e)) ends.push_back(x);
+      if (x > from && x < to) ends.push_back(x);
     }
-    ends.push_back(std::fmax(0.0, e));
+    ends.push_back(to);
     gsl_function f{[](double at, void* self) { return static_cast<const Spline*>(self)->value(at); },
                    const_cast<Spline*>(this)};
     const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> room(
@@ -77,7 +79,7 @@ class Spline {
   }
 
  private:
-  double clamped(double e) const { return std::fmin(std::fmax(e, table_.x.front()), table_.x.back()); }
+  double clamped(double e) const { return std::clamp(e, table_.x.front(), table_.x.back()); }
 
   const Table& table_;
   std::unique_ptr<gsl_spline, void (*)(gsl_spline*)> spline_;
