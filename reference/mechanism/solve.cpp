@@ -44,6 +44,9 @@ class Walk {
       row.push_back(is_of_modes(name) ? of_modes(modes, name) : mechanism::output(path_, name));
     curve.rows.push_back(std::move(row));
     curve.errors.push_back(mechanism::motion_error(path_));
+    auto& poses = curve.poses.emplace_back();
+    for (std::size_t i = 0; i < model_.bodies().size(); ++i)
+      poses.push_back(mechanism::node_of(model_, path_.reached().state.at, i));
     if (modes.growth > 0 && grows_.empty())
       grows_ = fmt::format("; {} at load factor {:.6g}", modes.flutters ? "flutter" : "divergence",
                            path_.reached().factor);
@@ -59,25 +62,31 @@ class Walk {
     return "";
   }
 
-  std::string described() const {
+  /// Why the path ended early; "" where it did not.
+  std::string cause() const {
     const auto& reached = path_.reached();
-    if (!path_.floats().empty()) return "no equilibrium: " + path_.floats();
+    if (!path_.floats().empty()) return path_.floats();
+    if (path_.held_reached() < 1) return stop_cause();
+    if (path_.is_held_by_nothing()) return "once displaced, a load works on a direction without stiffness";
+    if (reached.status == Status::inaccurate)
+      return fmt::format("accurate to {:.1e} rad or m only, beyond double precision",
+                         mechanism::motion_error(path_));
+    return reached.status == Status::converged ? "" : stop_cause();
+  }
+
+  std::string described() const {
+    const std::string why = cause();
+    if (why.empty()) return "converged" + grows_;
+    if (!path_.floats().empty() || (path_.held_reached() >= 1 && path_.is_held_by_nothing()))
+      return "no equilibrium: " + why;
     if (path_.held_reached() < 1)
       return fmt::format("stopped at {:.6g} of what is held, before load factor 0: {}", path_.held_reached(),
-                         cause());
-    if (path_.is_held_by_nothing())
-      return "no equilibrium: once displaced, a load works on a direction without stiffness";
-    if (reached.status == Status::inaccurate)
-      return fmt::format(
-          "stopped at load factor {:.6g}: accurate to {:.1e} rad or m only, beyond double precision",
-          reached.factor, mechanism::motion_error(path_));
-    if (reached.status != Status::converged)
-      return fmt::format("stopped at load factor {:.6g}: {}", reached.factor, cause());
-    return "converged" + grows_;
+                         why);
+    return fmt::format("stopped at load factor {:.6g}: {}", path_.reached().factor, why);
   }
 
  private:
-  std::string cause() const {
+  std::string stop_cause() const {
     constexpr double kNearHalfTurn = 1e-3, kSoft = 1e-4;
     for (std::size_t i = 0; i < model_.joints().size(); ++i) {
       const auto R = model_.seen(model_.joints()[i], path_.reached().state.at).pose.R;
@@ -147,6 +156,7 @@ Curve solve_scene(const MechanismScene& scene, const Choice& choice, const Told&
   for (int i = 1; i <= scene.points && goes_on(path); ++i) {
     path.advance(scene.factor_end * i / scene.points);
     if (const std::string why = walk.beyond(); !why.empty()) {
+      curve.cause = why;
       curve.outcome = fmt::format("stopped before load factor {:.6g}: {}", path.reached().factor, why);
       return curve;
     }
@@ -156,6 +166,7 @@ Curve solve_scene(const MechanismScene& scene, const Choice& choice, const Told&
   const bool arrived = goes_on(path) && !path.is_held_by_nothing();
   curve.converged = arrived && path.reached().status == Status::converged;
   curve.is_inaccurate = arrived && path.reached().status == Status::inaccurate;
+  curve.cause = walk.cause();
   curve.outcome = walk.described();
   curve.iterations = path.reached().iterations;
   curve.residual = path.reached().residual;

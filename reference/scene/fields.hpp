@@ -55,7 +55,6 @@ class Field {
   Items items(std::string_view allowed = "an array") const;
   bool is_table() const { return node().type == DocumentNode::Type::table; }
   bool is_array() const { return node().type == DocumentNode::Type::array; }
-  bool is_table() const { return node().type == DocumentNode::Type::table; }
   bool holds_arrays() const;  ///< also as { values, unit }
   bool is_text() const { return node().type == DocumentNode::Type::text; }
   bool says(std::string_view text) const { return is_text() && node().text == text; }

@@ -55,7 +55,7 @@ void add_state(const Scene& scene, const Path<double>& path, Curve& curve) {
   double error = 0;
   for (const std::string& output : scene.outputs) keep_largest(error, path.output_error(output));
   curve.errors.push_back(error);
-  curve.poses.push_back(path.node());
+  curve.poses.push_back({path.node()});
 }
 
 bool goes_on(const Outcome<double>& state) {
@@ -100,7 +100,7 @@ void linear_path(const Scene& scene, Curve& curve) {
   for (double factor : {0.0, scene.factor_end}) {
     curve.rows.push_back(
         row_of(scene, factor, [&](const std::string& output) { return path.linear_output(output, factor); }));
-    curve.poses.push_back(linear_pose(path, factor));
+    curve.poses.push_back({linear_pose(path, factor)});
   }
   curve.converged = std::ranges::all_of(curve.rows.back(), [](double x) { return std::isfinite(x); });
   curve.outcome = curve.converged ? "converged" : "no stiffness at rest where the load works";

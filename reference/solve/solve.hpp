@@ -27,7 +27,8 @@ struct Curve {
   int iterations = 0;                     ///< Newton iterations of the whole path
   double residual = 0;                    ///< at the last point, relative to the load
   std::optional<Buckling> critical{};     ///< about Scene::critical_axis, see critical_state
-  std::vector<Pose<double>> poses{};      ///< of the loaded node at each row, node a at the identity
+  /// At each row the poses of the loaded node, node a at the identity; of a mechanism's bodies, global axes.
+  std::vector<std::vector<Pose<double>>> poses{};
 };
 
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.

@@ -88,11 +88,14 @@ export interface RunJoint {
 }
 
 export interface RunLaw {
-  type: "stiffness" | "compliance" | "polynomial";
+  type: "stiffness" | "compliance" | "polynomial" | "per_axis";
   matrix?: Array<Array<number>>;
   k1?: Array<number>;
   k3?: Array<number>;
   k5?: Array<number>;
+  knots?: Array<number>;
+  offset?: Array<number>;
+  preload?: Array<number>;
 }
 
 export interface RunEnd {
@@ -111,7 +114,8 @@ export interface RunChain {
 
 export interface RunLoad {
   body: number;
-  type: "fixed_moment" | "follower_moment" | "fixed_force" | "follower_force";
+  type: "fixed_moment" | "follower_moment" | "fixed_force" | "follower_force" | "semi_tangential_moment" | "quasi_tangential_moment";
   value: Array<number>;
   point: Array<number>;
+  held?: boolean;
 }

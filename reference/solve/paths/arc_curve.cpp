@@ -75,7 +75,7 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
       row.push_back(continuation.problem().output(output, point.state.b));
     curve.rows.push_back(std::move(row));
     curve.errors.push_back(error_of(continuation.problem(), point.state, scene));
-    curve.poses.push_back(continuation.problem().node(point.state.b));
+    curve.poses.push_back({continuation.problem().node(point.state.b)});
   }
   return curve;
 }

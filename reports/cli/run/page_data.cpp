@@ -37,14 +37,30 @@ Json quaternion_json(const Mat3<double>& R) {
   return short_numbers(Eigen::Vector4d(q.w, q.v[0], q.v[1], q.v[2]));
 }
 
-Json law_json(const reference::LawSpec& law) {
-  if (const auto* p = std::get_if<reference::PolynomialSpec>(&law))
-    return {{"type", "polynomial"}, {"k1", numbers(p->k1)}, {"k3", numbers(p->k3)}, {"k5", numbers(p->k5)}};
-  const auto& linear = std::get<reference::LinearSpec>(law);
+Json plain_law_json(const reference::LinearSpec& law) {
   Json rows = Json::array();
-  for (Eigen::Index i = 0; i < linear.matrix.rows(); ++i)
-    rows.push_back(numbers(Eigen::VectorXd(linear.matrix.row(i))));
-  return {{"type", linear.is_compliance ? "compliance" : "stiffness"}, {"matrix", rows}};
+  for (Eigen::Index i = 0; i < law.matrix.rows(); ++i)
+    rows.push_back(numbers(Eigen::VectorXd(law.matrix.row(i))));
+  return {{"type", law.is_compliance ? "compliance" : "stiffness"}, {"matrix", rows}};
+}
+
+Json plain_law_json(const reference::PolynomialSpec& law) {
+  return {{"type", "polynomial"}, {"k1", numbers(law.k1)}, {"k3", numbers(law.k3)}, {"k5", numbers(law.k5)}};
+}
+
+Json plain_law_json(const reference::PerAxisSpec& law) {
+  Json knots = Json::array();
+  for (const auto& axis : *law.axes) knots.push_back(axis.knots.size());
+  return {{"type", "per_axis"}, {"knots", knots}};
+}
+
+Json law_json(const reference::LawSpec& law) {
+  Json out = reference::visit_unshifted([](const auto& spec) { return plain_law_json(spec); }, law);
+  if (const auto* shifted = std::get_if<reference::ShiftedSpec>(&law)) {
+    out["offset"] = numbers(shifted->offset);
+    out["preload"] = numbers(shifted->preload);
+  }
+  return out;
 }
 
 Json end_json(int body, const JointEnd<double>& end) {
@@ -88,10 +104,26 @@ void add_bodies(const reference::Scene& scene, const reference::Curve& curve, Js
   spec.xi = curve.xi;
   const auto* entry = reference::find_formulation(curve.formulation);
   out["poses"] = out["holding"] = Json::array();
-  for (const Pose<double>& b : curve.poses) {
-    out["poses"].push_back(Json::array({pose_json({}), pose_json(b)}));
-    if (entry) out["holding"].push_back(held_by(*entry, spec, b));
+  for (const auto& b : curve.poses) {
+    out["poses"].push_back(Json::array({pose_json({}), pose_json(b.front())}));
+    if (entry) out["holding"].push_back(held_by(*entry, spec, b.front()));
   }
+}
+
+Json joint_json(const std::string& name, const reference::JointSpec& joint, int a, int b) {
+  return {{"name", name},
+          {"kind", to_string(joint.kind)},
+          {"law", law_json(joint.law)},
+          {"a", end_json(a, joint.a)},
+          {"b", end_json(b, joint.b)}};
+}
+
+Json load_json(const reference::SceneLoad& load, int body) {
+  return {{"body", body},
+          {"type", reference::to_string(load.type)},
+          {"value", vector_json(load.value)},
+          {"point", vector_json(load.point)},
+          {"held", load.held}};
 }
 
 }  // namespace
@@ -132,19 +164,35 @@ Json page_data(const reference::Scene& scene, const Ran& ran) {
   out["bodies"] =
       Json::array({{{"name", "a"}, {"clamped", true}, {"rest", pose_json({})}},
                    {{"name", "b"}, {"clamped", false}, {"rest", pose_json(reference::rest_pose(scene))}}});
-  out["joints"] = Json::array({{{"name", "joint"},
-                                {"kind", to_string(joint.kind)},
-                                {"law", law_json(joint.law)},
-                                {"a", end_json(0, joint.a)},
-                                {"b", end_json(1, joint.b)}}});
+  out["joints"] = Json::array({joint_json("joint", joint, 0, 1)});
   out["loads"] = Json::array();
-  for (const auto& load : scene.loads) {
-    out["loads"].push_back({{"body", 1},
-                            {"type", reference::to_string(load.type)},
-                            {"value", vector_json(load.value)},
-                            {"point", vector_json(load.point)}});
-  }
+  for (const auto& load : scene.loads) out["loads"].push_back(load_json(load, 1));
   for (std::size_t i = 0; i < ran.curves.size(); ++i) add_bodies(scene, ran.curves[i], out["curves"][i]);
+  return out;
+}
+
+Json page_data(const reference::MechanismScene& scene, const Ran& ran) {
+  Json out = page_head(scene, ran);
+  out["bodies"] = out["joints"] = out["loads"] = Json::array();
+  const auto rest = reference::initial_poses<double>(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& body = scene.bodies[i];
+    out["bodies"].push_back({{"name", body.name},
+                             {"clamped", !body.moves},
+                             {"rest", pose_json(rest[i].value_or(Pose<double>{}))}});
+  }
+  for (const auto& joint : scene.joints)
+    out["joints"].push_back(joint_json(joint.name, joint.spec, joint.a, joint.b));
+  for (const auto& load : scene.loads) out["loads"].push_back(load_json(load, load.body));
+  for (std::size_t i = 0; i < ran.curves.size(); ++i) {
+    Json& curve = out["curves"][i];
+    curve["poses"] = curve["holding"] = Json::array();
+    for (const auto& row : ran.curves[i].poses) {
+      Json poses = Json::array();
+      for (const auto& pose : row) poses.push_back(pose_json(pose));
+      curve["poses"].push_back(poses);
+    }
+  }
   return out;
 }
 

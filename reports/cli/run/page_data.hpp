@@ -25,6 +25,9 @@ Json page_head(const reference::SceneHead& scene, const Ran& ran);
 /// Of one joint between a clamped and a loaded node.
 Json page_data(const reference::Scene& scene, const Ran& ran);
 
+/// Of bodies and joints; what holds them is in the outputs that its scene asks for.
+Json page_data(const reference::MechanismScene& scene, const Ran& ran);
+
 /// x (m) and unit quaternion w, x, y, z, node axes to global ones, in eight digits: what a drawing needs.
 Json pose_json(const Pose<double>& pose);
 Json vector_json(const Vec3<double>& v);

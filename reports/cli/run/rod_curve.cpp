@@ -58,7 +58,7 @@ reference::Curve rod_curve(const Scene& scene) {
     for (const std::string& output : scene.outputs) row.push_back(theta[output.back() - 'x']);
     out.rows.push_back(std::move(row));
     out.errors.push_back(tips[i].error);
-    out.poses.push_back({rest.x, so3::exp<double>(theta) * rest.R});
+    out.poses.push_back({Pose<double>{rest.x, so3::exp<double>(theta) * rest.R}});
   }
   out.converged = true;
   out.outcome = "converged";

@@ -2,9 +2,12 @@
 #include "reference/mechanism/solve.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/run/page_data.hpp"
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
 #include "reports/cli/run/run_options.hpp"
+#include "reports/cli/run/run_page.hpp"
+#include "reports/cli/run/summary.hpp"
 #include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
@@ -51,6 +54,10 @@ void run_mechanism(const RunOptions& options, const reference::MechanismScene& s
   write("csv", "curve.csv", [&] { return curves_csv(curves); });
   write("json", "curve.json", [&] { return curves_json(scene, curves, missing); });
   write("svg", "curve.svg", [&] { return curves_svg(scene, curves); });
+  write("html", "index.html", [&] {
+    return run_page(page_data(scene, {options.command(), curves, missing}));
+  });
+  print(summary_text(scene, curves, missing));
   if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
     throw FailedRun(
         fmt::format("{}: beyond what double precision resolves; see the error column", scene.name));

@@ -52,7 +52,23 @@ function alongAndAbout(joint, diagonal, units) {
 
 /** @param {RunJoint} joint */
 export function lawWords(joint) {
-  const {type, matrix, k1, k3, k5} = joint.law;
+  const {offset, preload} = joint.law;
+  const shifts = [
+    offset && !isZero(offset) ? `its own zero is at strain ${listed(offset)}` : '',
+    preload && !isZero(preload) ? `preloaded by ${listed(preload)}` : ''
+  ].filter(Boolean);
+  return shifts.length ? `${plainLawWords(joint)} In N, m, rad: ${shifts.join('; ')}.` : plainLawWords(joint);
+}
+
+/** @param {RunJoint} joint */
+function plainLawWords(joint) {
+  const {type, matrix, k1, k3, k5, knots} = joint.law;
+  if (type === 'per_axis') {
+    const curves = (knots ?? []).map((n) =>
+      n === 0 ? 'polynomial' : n === 1 ? 'two slopes' : `${n} points`
+    );
+    return `A curve for each strain along the joint axes: ${curves.join(', ')}.`;
+  }
   if (type === 'polynomial') {
     const terms = /** @type {[string, number[] | undefined][]} */ ([
       ['e', k1],
@@ -92,15 +108,21 @@ const LOADS = {
   fixed_moment: {word: 'moment', unit: 'N m', way: 'fixed in space'},
   follower_moment: {word: 'moment', unit: 'N m', way: 'turning with it'},
   fixed_force: {word: 'force', unit: 'N', way: 'fixed in space'},
-  follower_force: {word: 'force', unit: 'N', way: 'turning with it'}
+  follower_force: {word: 'force', unit: 'N', way: 'turning with it'},
+  semi_tangential_moment: {word: 'moment', unit: 'N m', way: 'of dead forces on a cross that turns with it'},
+  quasi_tangential_moment: {
+    word: 'moment',
+    unit: 'N m',
+    way: 'of two dead forces on an arm that turns with it'
+  }
 };
 
 /** @param {RunFile} run @returns {string[]} */
 export const loadWords = ({loads, bodies}) =>
-  loads.map(({body, type, value, point}) => {
+  loads.map(({body, type, value, point, held}) => {
     const {word, unit, way} = LOADS[type];
     const where = isZero(point) ? '' : `, at ${vectorWords(point)} m in its axes`;
-    return `${word} ${vectorWords(value)} ${unit} on ${nodeWords(bodies[body].name)}${where}, ${way}`;
+    return `${word} ${vectorWords(value)} ${unit} on ${nodeWords(bodies[body].name)}${where}, ${way}${held ? '; in full from the start' : ''}`;
   });
 
 /** @param {string} name */
