@@ -12,8 +12,8 @@
 namespace halfway::imports {
 namespace {
 
-/// Bytes of the UTF-8 character that begins at `at`, 0 where none does. Surrogates and what is longer than it need be
-/// are none.
+/// Bytes of the UTF-8 character that begins at `at`, 0 where none does. Surrogates and what is longer than it
+/// need be are none.
 std::size_t character_at(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
