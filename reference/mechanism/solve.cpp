@@ -2,7 +2,7 @@
 
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "reference/scene/chain_scene.hpp"
 
-#include "reference/scene/read_joint.hpp"
+#include "reference/scene/joint/read_joint.hpp"
 #include "reference/scene/read_mechanism.hpp"
 #include "reference/scene/scene_head.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reference/chain/chain.hpp"
-#include "reference/scene/fields.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/scene/text/fields.hpp"
 
 #include <optional>
 #include <vector>

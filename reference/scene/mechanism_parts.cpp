@@ -1,8 +1,8 @@
 #include "reference/scene/mechanism_parts.hpp"
 
-#include "reference/scene/names.hpp"
-#include "reference/scene/read_joint.hpp"
-#include "reference/scene/read_law.hpp"
+#include "reference/scene/joint/names.hpp"
+#include "reference/scene/joint/read_joint.hpp"
+#include "reference/scene/joint/read_law.hpp"
 #include "reference/scene/scene_head.hpp"
 
 #include <fmt/format.h>

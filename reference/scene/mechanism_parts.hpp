@@ -1,8 +1,8 @@
 // The tables of a mechanism's scene file: bodies, joints, loads, motions.
 #pragma once
 
-#include "reference/scene/fields.hpp"
 #include "reference/scene/mechanism_scene.hpp"
+#include "reference/scene/text/fields.hpp"
 
 namespace halfway::reference {
 

@@ -1,7 +1,7 @@
 #include "reference/scene/read_mechanism.hpp"
 
+#include "reference/scene/joint/names.hpp"
 #include "reference/scene/mechanism_parts.hpp"
-#include "reference/scene/names.hpp"
 #include "reference/scene/scene_head.hpp"
 
 #include <fmt/format.h>

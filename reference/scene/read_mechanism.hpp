@@ -1,8 +1,8 @@
 // Scene files of mechanisms.
 #pragma once
 
-#include "reference/scene/fields.hpp"
 #include "reference/scene/mechanism_scene.hpp"
+#include "reference/scene/text/fields.hpp"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #include "reference/scene/scene.hpp"
 
-#include "reference/scene/free_strains.hpp"
-#include "reference/scene/names.hpp"
-#include "reference/scene/read_joint.hpp"
+#include "reference/scene/joint/free_strains.hpp"
+#include "reference/scene/joint/names.hpp"
+#include "reference/scene/joint/read_joint.hpp"
 #include "reference/scene/read_mechanism.hpp"
 #include "reference/scene/scene_head.hpp"
 

@@ -4,18 +4,13 @@
 
 #include "reference/face/joint_spec.hpp"
 #include "reference/record/finding.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace halfway::reference {
-
-/// A mistake in a scene file: "FILE:LINE: KEY = VALUE: what is wrong; allowed: ...".
-struct SceneError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 enum class LoadType {
   fixed_moment,            ///< moment on node b, global axes, N m

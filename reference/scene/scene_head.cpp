@@ -1,8 +1,8 @@
 #include "reference/scene/scene_head.hpp"
 
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/scene/scene_references.hpp"
-#include "reference/scene/toml_tree.hpp"
+#include "reference/scene/text/toml_tree.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

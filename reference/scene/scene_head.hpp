@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reference/face/registry.hpp"
-#include "reference/scene/fields.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/scene/text/fields.hpp"
 
 #include <functional>
 #include <optional>

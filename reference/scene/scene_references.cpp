@@ -1,7 +1,7 @@
 #include "reference/scene/scene_references.hpp"
 #include "reference/numbers/digits.hpp"
 
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

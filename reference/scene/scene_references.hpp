@@ -1,8 +1,8 @@
 // The [[reference]] tables of a scene file.
 #pragma once
 
-#include "reference/scene/fields.hpp"
 #include "reference/scene/scene.hpp"
+#include "reference/scene/text/fields.hpp"
 
 namespace halfway::reference {
 

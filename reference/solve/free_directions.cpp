@@ -1,7 +1,7 @@
 #include "reference/solve/free_directions.hpp"
 
 #include "reference/record/worst.hpp"
-#include "reference/scene/free_strains.hpp"
+#include "reference/scene/joint/free_strains.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "reference/solve/solve.hpp"
 
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stop_cause.hpp"
 

@@ -1,7 +1,7 @@
 // Scenes solved: the curve of each formulation, with an honest outcome.
 #pragma once
 
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/scene/scene.hpp"
 #include "reference/solve/buckling.hpp"
 

@@ -1,5 +1,5 @@
 // halfway and halfway-suite: the command line.
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/scene/scene.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/program.hpp"

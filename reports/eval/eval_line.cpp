@@ -1,6 +1,6 @@
 #include "reports/eval/eval_line.hpp"
 
-#include "reference/scene/fields.hpp"
+#include "reference/scene/text/fields.hpp"
 #include "reports/eval/eval_parse.hpp"
 #include "reports/eval/eval_request.hpp"
 #include "reports/eval/eval_written.hpp"

@@ -1,8 +1,8 @@
 #include "reports/eval/eval_request.hpp"
 
-#include "reference/scene/names.hpp"
-#include "reference/scene/read_joint.hpp"
-#include "reference/scene/read_matrix.hpp"
+#include "reference/scene/joint/names.hpp"
+#include "reference/scene/joint/read_joint.hpp"
+#include "reference/scene/joint/read_matrix.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

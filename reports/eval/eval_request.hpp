@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/face/registry.hpp"
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 namespace halfway::reports {
 

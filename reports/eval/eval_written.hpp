@@ -1,7 +1,7 @@
 // The answer to a request as one line of JSON.
 #pragma once
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 #include "reports/eval/eval_request.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "reports/eval/evaluate.hpp"
 
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // One line's tree as it grows, in the order of the text: bounded in depth and size, no key twice.
 #pragma once
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 // halfway export: the joint of a scene in another program's words.
 #include "reference/scene/chain_scene.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/import/commands.hpp"

@@ -1,7 +1,7 @@
 // halfway import: bushings of another program's file become scenes.
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/scene/scene_head.hpp"
-#include "reference/scene/toml_tree.hpp"
+#include "reference/scene/text/toml_tree.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/import/commands.hpp"

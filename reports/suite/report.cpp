@@ -2,7 +2,7 @@
 #include "bench/harness/timing.hpp"
 #include "bench/questions/methods/skipped.hpp"
 #include "reference/record/effort.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reports/cli/commands.hpp"
 #include "reports/cli/progress.hpp"
 #include "reports/cli/streams.hpp"

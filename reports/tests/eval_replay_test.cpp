@@ -1,7 +1,7 @@
 // What a failing check prints to be replayed: `halfway eval` answers it with the loads of the check's own
 // worst case.
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/solve.hpp"
 #include "reports/tests/eval_support.hpp"
 #include "verify/oracle/probes.hpp"

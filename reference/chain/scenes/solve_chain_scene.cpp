@@ -1,7 +1,7 @@
 #include "reference/chain/scenes/solve_chain_scene.hpp"
 
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 
 #include <fmt/format.h>
 

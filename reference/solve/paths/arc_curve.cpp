@@ -3,7 +3,7 @@
 #include "reference/solve/paths/continuation.hpp"
 
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/LU>

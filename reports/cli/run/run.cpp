@@ -1,6 +1,6 @@
 // halfway run: one scene, solved with each formulation; its curves as CSV, JSON and SVG. Of chains see
 // run_chain.cpp.
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/solve/free_directions.hpp"
 #include "reference/solve/paths/arc_curve.hpp"
 #include "reports/cli/commands.hpp"

@@ -1,6 +1,6 @@
 #include "reports/cli/run/run_choices.hpp"
 
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reports/cli/errors.hpp"
 
 #include <fmt/format.h>

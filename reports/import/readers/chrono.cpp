@@ -1,6 +1,6 @@
 // Chrono: joints with bushing data. Body 1 is our node a, body 2, in whose axes the law is, node b. The
 // joint's type says which rotations have the stiffness of its degrees of freedom.
-#include "reference/scene/fields.hpp"
+#include "reference/scene/text/fields.hpp"
 #include "reports/import/readers/documents.hpp"
 #include "reports/import/readers/readers.hpp"
 #include "reports/import/record/frames.hpp"

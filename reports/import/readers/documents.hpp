@@ -1,7 +1,7 @@
 // JSON with comments and YAML as the plain tree that scenes and requests are, each value with its line.
 #pragma once
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <string_view>
 

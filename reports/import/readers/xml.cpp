@@ -1,6 +1,6 @@
 #include "reports/import/readers/xml.hpp"
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 #include "reports/import/readers/readers.hpp"
 
 #include <fmt/format.h>

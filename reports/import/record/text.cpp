@@ -1,6 +1,6 @@
 #include "reports/import/record/text.hpp"
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "reports/import/scene/scene_text.hpp"
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 #include "reports/cli/streams.hpp"
 #include "reports/import/record/text.hpp"
 

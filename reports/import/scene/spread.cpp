@@ -1,7 +1,7 @@
 #include "reports/import/scene/spread.hpp"
 
 #include "reference/face/registry.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reports/import/record/frames.hpp"
 #include "reports/import/scene/scene_text.hpp"
 

@@ -1,7 +1,7 @@
 #include "reports/import/tests/promises.hpp"
 
 #include "reference/scene/scene_head.hpp"
-#include "reference/scene/toml_tree.hpp"
+#include "reference/scene/text/toml_tree.hpp"
 #include "reports/import/readers/readers.hpp"
 #include "reports/import/scene/scene_text.hpp"
 #include "reports/import/scene/spread.hpp"

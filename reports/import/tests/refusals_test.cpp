@@ -1,5 +1,5 @@
 // What is wrong in a file is said with its line, key, value and what is allowed, whatever the file.
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 #include "reports/import/tests/support.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -3,7 +3,7 @@
 #include "reference/face/registry.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/scene_head.hpp"
-#include "reference/scene/toml_tree.hpp"
+#include "reference/scene/text/toml_tree.hpp"
 #include "reports/import/scene/scene_text.hpp"
 #include "reports/views/files.hpp"
 

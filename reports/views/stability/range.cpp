@@ -1,6 +1,6 @@
 #include "reports/views/stability/range.hpp"
 
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reports/eval/eval_line.hpp"
 #include "reports/views/rounded.hpp"
 #include "verify/studies/limits/conditioning.hpp"

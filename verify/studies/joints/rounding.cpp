@@ -1,5 +1,5 @@
 // Loads and tangent in double against the same joint at 50 digits.
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/replay.hpp"
 

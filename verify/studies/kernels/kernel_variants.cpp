@@ -2,7 +2,7 @@
 // of the invariant kernel against phi / sin(phi/2) at 50 digits.
 #include "reference/face/kernel_variants.hpp"
 #include "halfway/kernels/core/functions.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/replay.hpp"

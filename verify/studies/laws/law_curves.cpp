@@ -1,7 +1,7 @@
 // Tables, slopes and polynomials as laws: against GSL's own splines and quadrature, and against dual numbers.
 #include "reference/numbers/dual.hpp"
 #include "reference/numbers/random.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"

@@ -1,6 +1,6 @@
 // Preloads, offsets, principal axes and measured matrices: where a law's zero is, and along what it lies.
 #include "reference/numbers/random.hpp"
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/oracle/findings.hpp"
 #include "verify/oracle/property.hpp"

@@ -3,7 +3,7 @@
 #include "reference/face/instantiations.hpp"
 #include "reference/numbers/random.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "verify/once.hpp"
 
 #include <fmt/format.h>

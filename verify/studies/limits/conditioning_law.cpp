@@ -1,6 +1,6 @@
 // Stiffnesses far apart, singular and indefinite.
 #include "reference/face/instantiations.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "verify/studies/limits/conditioning.hpp"
 

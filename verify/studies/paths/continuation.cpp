@@ -1,5 +1,5 @@
 // Paths by arc length where they have closed forms: one axis, through the fold and down again.
-#include "reference/scene/names.hpp"
+#include "reference/scene/joint/names.hpp"
 #include "reference/solve/paths/branches.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"

@@ -1,6 +1,6 @@
 // The skewed buckling case by arc length: against load stepping, there and back, and in coarse
 // steps; and what load stepping in whole steps makes of it.
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/solve.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/scene_access.hpp"

@@ -4,7 +4,7 @@
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/effort.hpp"
 #include "reference/record/worst.hpp"
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/stability/critical.hpp"
 #include "reference/truth/rod/critical.hpp"

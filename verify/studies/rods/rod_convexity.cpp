@@ -1,6 +1,6 @@
 // The rotation up to which the energies of rod4 and rod34 are convex: searched for, and where their moment
 // vanishes.
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "verify/oracle/property.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,5 +1,5 @@
 // Where plain load stepping stops, does it name the cause that the path by arc length has found there?
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 #include "reference/solve/path.hpp"
 #include "reference/solve/paths/continuation.hpp"
 #include "reference/solve/solve.hpp"

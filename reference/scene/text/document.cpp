@@ -1,4 +1,4 @@
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "reference/scene/read_law.hpp"
+#include "reference/scene/joint/read_law.hpp"
 
-#include "reference/scene/read_curves.hpp"
-#include "reference/scene/read_matrix.hpp"
+#include "reference/scene/joint/read_curves.hpp"
+#include "reference/scene/joint/read_matrix.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/face/joint_spec.hpp"
-#include "reference/scene/fields.hpp"
+#include "reference/scene/text/fields.hpp"
 
 namespace halfway::reference {
 

@@ -1,7 +1,8 @@
-// Names: those of the catalog, and what an unknown one may have meant.
+// Names of the catalog, and what each has against a law.
 #pragma once
 
 #include "reference/face/registry.hpp"
+#include "reference/scene/text/likeness.hpp"
 
 #include <string>
 #include <string_view>
@@ -14,14 +15,6 @@ inline constexpr const char* kLinearized = "linearized";
 
 /// Names of all formulations of the catalog, in its order.
 std::vector<std::string_view> formulation_names();
-
-/// " (did you mean 'X'?)" of the allowed name that is most like `name`: up to a third of its letters
-/// mistyped, or cut short. Empty when none is like it.
-std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& allowed);
-
-/// "unknown WHAT 'NAME' (did you mean 'X'?); allowed: A, B, C". Long names are cut.
-std::string unknown_name(std::string_view what, std::string_view name,
-                         const std::vector<std::string_view>& allowed);
 
 /// What a formulation has against a law.
 struct LawRefusal {

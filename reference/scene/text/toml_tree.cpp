@@ -1,7 +1,6 @@
-#include "reference/scene/toml_tree.hpp"
+#include "reference/scene/text/toml_tree.hpp"
 
-#include "reference/scene/scene.hpp"
-#include "reference/scene/toml_depth.hpp"
+#include "reference/scene/text/toml_depth.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reference/scene/free_strains.hpp"
+#include "reference/scene/joint/free_strains.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

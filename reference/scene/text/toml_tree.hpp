@@ -1,7 +1,7 @@
 // A TOML file as a plain tree with line numbers; the only door to toml++, which is heavy to compile.
 #pragma once
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <filesystem>
 

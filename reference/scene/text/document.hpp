@@ -89,6 +89,11 @@ std::string path_of(const Document& document, std::size_t place);
 /// The value as a person would type it, shortened.
 std::string shown(const Document& document, std::size_t place);
 
+/// A mistake in a scene file: "FILE:LINE: KEY = VALUE: what is wrong; allowed: ...".
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// What is wrong with one value: "KEY = VALUE: what; allowed: ...". Caught by the door, never by a caller.
 struct Refusal : std::runtime_error {
   Refusal(std::string code_, const std::string& message, std::string key_, int line_ = 1)

@@ -1,6 +1,6 @@
-#include "reference/scene/fields.hpp"
+#include "reference/scene/text/fields.hpp"
 
-#include "reference/scene/names.hpp"
+#include "reference/scene/text/likeness.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
-#include "reference/scene/toml_depth.hpp"
+#include "reference/scene/text/toml_depth.hpp"
 
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/document.hpp"
 
 namespace halfway::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/scene/convexity.hpp"
+#include "reference/scene/joint/convexity.hpp"
 
 #include <fmt/format.h>
 

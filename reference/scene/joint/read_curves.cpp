@@ -1,4 +1,4 @@
-#include "reference/scene/read_curves.hpp"
+#include "reference/scene/joint/read_curves.hpp"
 
 #include <fmt/format.h>
 

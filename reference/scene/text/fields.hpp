@@ -1,8 +1,8 @@
 // Checked access to the fields of a document: every getter says what is wrong, where, and what is allowed.
 #pragma once
 
-#include "reference/scene/dimensions.hpp"
-#include "reference/scene/document.hpp"
+#include "reference/scene/text/dimensions.hpp"
+#include "reference/scene/text/document.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
-#include "reference/scene/read_matrix.hpp"
+#include "reference/scene/joint/read_matrix.hpp"
 
 #include "reference/numbers/linear_algebra.hpp"
-#include "reference/scene/read_joint.hpp"
+#include "reference/scene/joint/read_joint.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "reference/scene/read_joint.hpp"
+#include "reference/scene/joint/read_joint.hpp"
 
-#include "reference/scene/read_law.hpp"
+#include "reference/scene/joint/read_law.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/LU>
