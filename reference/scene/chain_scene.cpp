@@ -14,13 +14,16 @@ constexpr int kMostSteps = 10000;
 
 const Names kChainLoads = {"fixed_force", "follower_force", "fixed_moment", "follower_moment"};
 
+/// rad/m and 1/m, N m^2 and N m^2/rad are the same.
+constexpr Dimension kCurvature{0, -1, 1, true}, kBending{1, 2, -1, true};
+
 /// One number for axes 2 and 3 of the section, or one for each.
-void read_both(const Field& field, double& second, double& third) {
-  if (!field.is_array()) {
-    second = third = field.positive();
+void read_both(const Field& field, const Dimension& dimension, double& second, double& third) {
+  if (!field.is_array() && !field.is_table()) {
+    second = third = field.positive(dimension);
     return;
   }
-  const Eigen::Vector2d both = field.vector<2>("a number > 0, or 2 of them: for axes 2 and 3");
+  const Eigen::Vector2d both = field.vector<2>("a number > 0, or 2 of them: for axes 2 and 3", dimension);
   if (!(both.minCoeff() > 0)) field.refuse("has one that is not positive", "numbers > 0");
   second = both[0];
   third = both[1];
@@ -28,17 +31,17 @@ void read_both(const Field& field, double& second, double& third) {
 
 Pose<double> read_pose(const Field& field) {
   Pose<double> out;
-  if (const auto x = field.find("x")) out.x = x->vector<3>("3 numbers, m, global axes");
+  if (const auto x = field.find("x")) out.x = x->vector<3>("3 numbers, m, global axes", dimension::length);
   if (const auto h = field.find("h")) out.R = read_rotation(*h);
   return out;
 }
 
 chain::Section read_section(const Field& chain) {
   chain::Section out;
-  out.GJ = chain.at("GJ", "a number > 0, N m^2").positive();
-  read_both(chain.at("EI", "one or two numbers > 0, N m^2"), out.EI2, out.EI3);
-  out.EA = chain.at("EA", "a number > 0, N").positive();
-  read_both(chain.at("GA", "one or two numbers > 0, N"), out.GA2, out.GA3);
+  out.GJ = chain.at("GJ", "a number > 0, N m^2").positive(kBending);
+  read_both(chain.at("EI", "one or two numbers > 0, N m^2"), kBending, out.EI2, out.EI3);
+  out.EA = chain.at("EA", "a number > 0, N").positive(dimension::force);
+  read_both(chain.at("GA", "one or two numbers > 0, N"), dimension::force, out.GA2, out.GA3);
   return out;
 }
 
@@ -46,10 +49,10 @@ chain::Chain read_chain(const Field& field) {
   field.has_only({"links", "length", "GJ", "EI", "EA", "GA", "curvature", "root", "node_order"});
   chain::Chain out;
   out.links = field.at("links", "an integer > 0").integer(1, kMostLinks);
-  out.length = field.at("length", "a number > 0, m").positive();
+  out.length = field.at("length", "a number > 0, m").positive(dimension::length);
   out.section = read_section(field);
   if (const auto curvature = field.find("curvature"))
-    out.curvature = curvature->vector<3>("3 numbers, 1/m: twist, curvature about axes 2 and 3");
+    out.curvature = curvature->vector<3>("3 numbers, 1/m: twist, curvature about axes 2 and 3", kCurvature);
   if (const auto root = field.find("root")) {
     root->has_only({"x", "h"});
     out.root = read_pose(*root);

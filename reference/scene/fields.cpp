@@ -25,6 +25,11 @@ std::string did_you_mean_of(std::string_view name, NameView names) {
   return did_you_mean(name, Names(names.begin(), names.end()));
 }
 
+std::string with_unit(const Dimension& dimension) {
+  return fmt::format("a number, {}, or a text of a number and a unit: {}", si_unit(dimension),
+                     example_units(dimension));
+}
+
 }  // namespace
 
 void Field::refuse(const std::string& what, std::string_view allowed, const char* code) const {
@@ -112,16 +117,63 @@ bool Field::boolean() const {
   return node().boolean;
 }
 
-double Field::number() const {
+double Field::number(const Dimension& dimension) const {
+  if (is_text() && dimension != Dimension{}) return quantity(dimension);
   expect(DocumentNode::Type::number, "a finite number");
   if (!std::isfinite(node().number)) refuse("is not finite", "a finite number");
   return node().number;
 }
 
-double Field::positive() const {
-  const double value = number();
+double Field::positive(const Dimension& dimension) const {
+  const double value = number(dimension);
   if (value <= 0) refuse("is not positive", "a number > 0");
   return value;
+}
+
+double Field::quantity(const Dimension& dimension) const {
+  const auto [number, unit_text] = split_quantity(node().text);
+  if (number.empty()) refuse_type(with_unit(dimension));
+  if (unit_text.empty()) refuse("is a text without a unit", with_unit(dimension), "wrong_unit");
+  const Unit unit = unit_of(unit_text);
+  check_fits(unit, unit_text, dimension);
+  return in_si_of(number, unit);
+}
+
+/// Of the text of a unit, in whatever field it stands.
+Unit Field::unit_of(std::string_view text) const {
+  try {
+    return read_unit(text);
+  } catch (const NoUnit& error) {
+    const Names names(unit_names());
+    refuse(fmt::format("has the unit '{}', which {}{}", shortened(std::string(text)), error.what(),
+                       error.name.empty() ? "" : did_you_mean(error.name, names)),
+           fmt::format("{}, and products and powers of them such as N m/deg, deg/(N m), 1/mm^2",
+                       fmt::join(names, ", ")),
+           "unknown_unit");
+  }
+}
+
+void Field::check_fits(const Unit& unit, std::string_view text, const Dimension& dimension) const {
+  if (fits(unit.dimension, dimension)) return;
+  refuse(fmt::format("is in {} ({} in SI) where {} is needed", shortened(std::string(text)),
+                     si_unit(unit.dimension), si_unit(dimension)),
+         with_unit(dimension), "wrong_unit");
+}
+
+double Field::in_si_of(std::string_view decimal, const Unit& unit) const {
+  const double value = in_si(decimal, unit);
+  if (!std::isfinite(value)) refuse("is not finite", "a finite number");
+  return value;
+}
+
+double Field::entry(const Dimension& dimension, const std::optional<SharedUnit>& shared) const {
+  if (!shared) return number(dimension);
+  if (is_text())
+    refuse("has a unit beside that of all values",
+           "plain numbers, or texts with units without { values, unit }", "wrong_unit");
+  number();
+  check_fits(shared->unit, shared->text, dimension);
+  return in_si_of(node().text, shared->unit);
 }
 
 int Field::integer(int low, int high) const {
@@ -162,22 +214,52 @@ std::vector<double> Field::distinct_numbers() const {
   return out;
 }
 
-void Field::read_numbers(int size, std::string_view allowed, double* out) const {
-  has_size(size, "entries", allowed);
-  for (const Field item : Items(*this)) *out++ = item.number();
+Field::Values Field::values(bool may_have_unit) const {
+  if (!may_have_unit || !is_table()) return {*this, std::nullopt};
+  has_only({"values", "unit"});
+  const std::string_view allowed = "the unit of all values, such as \"mm\"";
+  const Field unit = at("unit", allowed);
+  unit.expect(DocumentNode::Type::text, allowed);
+  return {at("values", "an array of numbers"), SharedUnit{unit.unit_of(unit.node().text), unit.node().text}};
 }
 
-Eigen::VectorXd Field::vector(int size, std::string_view allowed) const {
+void Field::read_row(int size, std::string_view allowed, const Dimensions& dimensions,
+                     const std::optional<SharedUnit>& unit, double* out) const {
+  has_size(size, "entries", allowed);
+  int i = 0;
+  for (const Field item : Items(*this)) *out++ = item.entry(dimensions[i++], unit);
+}
+
+void Field::read_numbers(int size, std::string_view allowed, const Dimensions& dimensions,
+                         double* out) const {
+  const Values all = values(dimensions != Dimensions{});
+  all.array.read_row(size, allowed, dimensions, all.unit, out);
+}
+
+Eigen::VectorXd Field::vector(int size, std::string_view allowed, const Dimensions& dimensions) const {
   Eigen::VectorXd out(size);
-  read_numbers(size, allowed, out.data());
+  read_numbers(size, allowed, dimensions, out.data());
   return out;
 }
 
-Eigen::MatrixXd Field::square_matrix(int size, std::string_view allowed) const {
-  has_size(size, "rows", allowed);
+std::vector<double> Field::numbers(std::string_view allowed, const Dimension& dimension) const {
+  const Values all = values(dimension != Dimension{});
+  std::vector<double> out;
+  for (const Field item : all.array.items(allowed)) out.push_back(item.entry(dimension, all.unit));
+  return out;
+}
+
+Eigen::MatrixXd Field::square_matrix(int size, std::string_view allowed,
+                                     const MatrixDimensions& dimensions) const {
+  const Values all = values(dimensions != MatrixDimensions{});
+  all.array.has_size(size, "rows", allowed);
   Eigen::MatrixXd out(size, size);
-  Eigen::Index i = 0;
-  for (const Field row : Items(*this)) out.row(i++) = row.vector(size, allowed).transpose();
+  Eigen::VectorXd row(size);
+  int i = 0;
+  for (const Field item : Items(all.array)) {
+    item.read_row(size, allowed, dimensions[i], all.unit, row.data());
+    out.row(i++) = row.transpose();
+  }
   return out;
 }
 

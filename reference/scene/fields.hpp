@@ -1,6 +1,7 @@
 // Checked access to the fields of a document: every getter says what is wrong, where, and what is allowed.
 #pragma once
 
+#include "reference/scene/dimensions.hpp"
 #include "reference/scene/document.hpp"
 
 #include <Eigen/Core>
@@ -27,6 +28,10 @@ class NameView : public std::span<const std::string_view> {
 /// One value of a document, which knows its key path, e.g. joint.law.stiffness[2]: a place to look at, with
 /// words and paths made where something is wrong. All getters throw Refusal; its code is in brackets where it
 /// is not wrong_type.
+///
+/// A getter of numbers that is told their dimension takes each also as a text with a unit, "12 mm", and an
+/// array of them also as { values = [...], unit = "mm" } [unknown_unit, wrong_unit]; what it returns is in
+/// SI.
 class Field {
  public:
   explicit Field(Document& document) : Field(document, 0) {}
@@ -47,7 +52,8 @@ class Field {
   class Items;
   Items items(std::string_view allowed = "an array") const;
   bool is_array() const { return node().type == DocumentNode::Type::array; }
-  bool holds_arrays() const;
+  bool is_table() const { return node().type == DocumentNode::Type::table; }
+  bool holds_arrays() const;  ///< also as { values, unit }
   bool is_text() const { return node().type == DocumentNode::Type::text; }
   bool says(std::string_view text) const { return is_text() && node().text == text; }
 
@@ -55,19 +61,22 @@ class Field {
   std::string text() const;
   std::string text_or(std::string_view key) const;  ///< of a table: the text at key, or ""
   bool boolean() const;
-  double number() const;  ///< finite
-  double positive() const;
+  double number(const Dimension& dimension = {}) const;  ///< finite
+  double positive(const Dimension& dimension = {}) const;
   int integer(int low, int high) const;
   std::string one_of(NameView names, const char* code = "unknown_name") const;
   std::vector<std::string> distinct(NameView names) const;
   std::vector<double> distinct_numbers() const;
-  Eigen::VectorXd vector(int size, std::string_view allowed) const;         ///< [wrong_shape]
-  Eigen::MatrixXd square_matrix(int size, std::string_view allowed) const;  ///< [wrong_shape]
+  Eigen::VectorXd vector(int size, std::string_view allowed,
+                         const Dimensions& dimensions = {}) const;  ///< [wrong_shape]
+  Eigen::MatrixXd square_matrix(int size, std::string_view allowed,
+                                const MatrixDimensions& dimensions = {}) const;  ///< [wrong_shape]
+  std::vector<double> numbers(std::string_view allowed, const Dimension& dimension) const;
   /// The same of a size that is known: nothing is allocated.
   template <int size>
-  Eigen::Matrix<double, size, 1> vector(std::string_view allowed) const {
+  Eigen::Matrix<double, size, 1> vector(std::string_view allowed, const Dimensions& dimensions = {}) const {
     Eigen::Matrix<double, size, 1> out;
-    read_numbers(size, allowed, out.data());
+    read_numbers(size, allowed, dimensions, out.data());
     return out;
   }
 
@@ -80,7 +89,24 @@ class Field {
   [[noreturn]] void refuse_type(std::string_view allowed) const;
   std::size_t count() const;
   void has_size(int size, const char* of_what, std::string_view allowed) const;
-  void read_numbers(int size, std::string_view allowed, double* out) const;
+  void read_numbers(int size, std::string_view allowed, const Dimensions& dimensions, double* out) const;
+
+  // Units.
+  struct SharedUnit {
+    Unit unit;
+    std::string_view text;
+  };
+  struct Values;
+  /// An array with the unit of all of its numbers: { values, unit }, where a unit may be; or itself.
+  Values values(bool may_have_unit) const;
+  void read_row(int size, std::string_view allowed, const Dimensions& dimensions,
+                const std::optional<SharedUnit>& unit, double* out) const;
+  double entry(const Dimension& dimension, const std::optional<SharedUnit>& unit) const;
+  double quantity(const Dimension& dimension) const;
+  Unit unit_of(std::string_view text) const;
+  void check_fits(const Unit& unit, std::string_view text, const Dimension& dimension) const;
+  double in_si_of(std::string_view decimal, const Unit& unit) const;
+
   std::string path(std::string_view key) const;
 
   Document* document_;
@@ -118,7 +144,16 @@ class Field::Items {
   Field holder_;
 };
 
+struct Field::Values {
+  Field array;
+  std::optional<SharedUnit> unit;
+};
+
 inline bool Field::holds_arrays() const {
+  if (is_table()) {
+    const auto values = find("values");
+    return values && values->is_array() && values->holds_arrays();
+  }
   return is_array() && node().end > place_ + 1 &&
          document_->nodes[place_ + 1].type == DocumentNode::Type::array;
 }

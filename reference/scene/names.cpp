@@ -35,6 +35,15 @@ std::size_t unlikeness(std::string_view name, std::string_view candidate) {
   return edits(name, candidate);
 }
 
+/// Does the law couple translation and rotation?
+struct IsCoupled {
+  bool operator()(const LinearSpec& law) const {
+    return !law.matrix.topRightCorner(3, 3).isZero(0) || !law.matrix.bottomLeftCorner(3, 3).isZero(0);
+  }
+  bool operator()(const PolynomialSpec&) const { return false; }
+  bool operator()(const PerAxisSpec&) const { return false; }
+};
+
 }  // namespace
 
 std::vector<std::string_view> formulation_names() {
@@ -59,15 +68,24 @@ std::string unknown_name(std::string_view what, std::string_view name,
                      did_you_mean(name, allowed), fmt::join(allowed, ", "));
 }
 
-const char* law_refused(const Entry& entry, const JointSpec& spec) {
-  if (!(convex_radius(entry, spec) > 0))
-    return "takes no law whose angular stiffness is not positive definite";
-  const auto* linear = std::get_if<LinearSpec>(&spec.law);
-  if (!entry.block_diagonal_law_only || spec.kind != Kind::linear_angular || linear == nullptr)
-    return nullptr;
-  const bool is_uncoupled =
-      linear->matrix.topRightCorner(3, 3).isZero(0) && linear->matrix.bottomLeftCorner(3, 3).isZero(0);
-  return is_uncoupled ? nullptr : "takes no coupling of translation and rotation";
+const LawRefusal* law_refusal(const Entry& entry, const JointSpec& spec) {
+  static constexpr LawRefusal kNotOneStiffness{
+      "takes no curves, preload or offset: its series is of one stiffness",
+      "a positive definite stiffness or a polynomial without preload and offset",
+      "law_of_one_stiffness_only"};
+  static constexpr LawRefusal kNotDefinite{"takes no law whose angular stiffness is not positive definite",
+                                           "a positive definite stiffness", "singular_law"};
+  static constexpr LawRefusal kCoupled{"takes no coupling of translation and rotation",
+                                       "off-diagonal 3x3 blocks of zeros", "block_diagonal_law_only"};
+  const bool is_series = entry.convex_radius != nullptr && spec.kind != Kind::linear;
+  if (is_series &&
+      (std::holds_alternative<PerAxisSpec>(spec.law) || std::holds_alternative<ShiftedSpec>(spec.law)))
+    return &kNotOneStiffness;
+  if (!(convex_radius(entry, spec) > 0)) return &kNotDefinite;
+  if (entry.block_diagonal_law_only && spec.kind == Kind::linear_angular &&
+      visit_unshifted(IsCoupled{}, spec.law))
+    return &kCoupled;
+  return nullptr;
 }
 
 }  // namespace halfway::reference

@@ -23,11 +23,23 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string_vi
 std::string unknown_name(std::string_view what, std::string_view name,
                          const std::vector<std::string_view>& allowed);
 
-/// What the formulation has against this law, as "which takes no coupling of translation and rotation" goes
-/// on; nullptr: nothing. drake_rpy refuses coupling, rod4 and rod34 what they cannot invert.
-const char* law_refused(const Entry& entry, const JointSpec& spec);
+/// What a formulation has against a law.
+struct LawRefusal {
+  const char* what;  ///< as "which takes no coupling of translation and rotation" goes on
+  const char* allowed;
+  const char* code;
+};
+
+/// nullptr: nothing. drake_rpy refuses coupling, rod4 and rod34 what they cannot invert and what has no one
+/// stiffness to make a series of.
+const LawRefusal* law_refusal(const Entry& entry, const JointSpec& spec);
+
+inline const char* law_refused(const Entry& entry, const JointSpec& spec) {
+  const LawRefusal* refusal = law_refusal(entry, spec);
+  return refusal ? refusal->what : nullptr;
+}
 inline bool accepts_law(const Entry& entry, const JointSpec& spec) {
-  return law_refused(entry, spec) == nullptr;
+  return law_refusal(entry, spec) == nullptr;
 }
 
 }  // namespace halfway::reference

@@ -75,7 +75,7 @@ std::optional<Field> either(const Field& joint, std::string_view node, std::stri
 JointEnd<double> read_end(const Field& joint, const EndKeys& keys) {
   JointEnd<double> end;
   if (const auto o = either(joint, keys.node, keys.offset, "o"))
-    end.o = o->vector<3>("3 numbers, m, axes of the node");
+    end.o = o->vector<3>("3 numbers, m, axes of the node", dimension::length);
   if (const auto H = either(joint, keys.node, keys.frame, "h")) end.H = read_rotation(*H);
   return end;
 }
@@ -94,7 +94,7 @@ Mat3<double> read_rotation(const Field& field) {
 bool read_rod(const Field& joint, JointSpec& spec) {
   const auto length = joint.find("length"), axis = joint.find("axis");
   if (axis && !length) axis->refuse("stands without a length", "length, m, beside it", "length_missing");
-  if (length) spec.length = length->positive();
+  if (length) spec.length = length->positive(dimension::length);
   if (axis) {
     spec.axis = axis->integer(-3, 3);
     if (spec.axis == 0) axis->refuse("is no axis", "1, 2, 3 or -1, -2, -3");
@@ -105,7 +105,7 @@ bool read_rod(const Field& joint, JointSpec& spec) {
 JointSpec read_joint(const Field& joint) {
   JointSpec spec;
   spec.kind = read_kind(joint.at("kind", "angular, linear, linear_angular"));
-  spec.law = read_law(joint.at("law", "a table with type = linear or polynomial"), spec.kind);
+  spec.law = read_law(joint.at("law", "a table with type = linear, polynomial or per_axis"), spec.kind);
   spec.a = read_end(joint, {"a", "offset_a", "frame_a"});
   spec.b = read_end(joint, {"b", "offset_b", "frame_b"});
   return spec;

@@ -1,4 +1,4 @@
-// The law of a joint: linear by its stiffness or compliance, or a polynomial per axis.
+// The law of a joint: linear, a polynomial or a curve for each axis, with a preload or an offset beside it.
 #pragma once
 
 #include "reference/face/joint_spec.hpp"
@@ -6,13 +6,10 @@
 
 namespace halfway::reference {
 
-/// {type = "linear", stiffness (or K) or compliance} or {type = "polynomial", k1, k3, k5}, for the strains
-/// of `kind`, translation first. A matrix is n numbers (a diagonal) or n rows, symmetric to 1e-12 (then its
-/// symmetric part, with a note); a stiffness may be zero along some directions, a compliance may not.
-/// Throws Refusal [unknown_law, not_symmetric, indefinite_stiffness].
+/// A table with type = "linear" (read_matrix.hpp), "polynomial" (k1, k3, k5: n numbers each) or "per_axis"
+/// (read_curves.hpp), for the strains of `kind`, translation first. Beside each `offset`, the strain at which
+/// the law's own zero is, and `preload`, a stress that is added: stress = law(strain - offset) + preload.
+/// Throws Refusal [unknown_law, not_symmetric, indefinite_stiffness, wrong_unit, unknown_unit].
 LawSpec read_law(const Field& law, Kind kind);
-
-/// The field of a linear law's matrix, by whichever word it has. Throws Refusal [missing_key, named_twice].
-Field matrix_field(const Field& law);
 
 }  // namespace halfway::reference

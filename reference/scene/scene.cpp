@@ -1,8 +1,11 @@
 #include "reference/scene/scene.hpp"
 
+#include "reference/scene/free_strains.hpp"
 #include "reference/scene/names.hpp"
 #include "reference/scene/read_joint.hpp"
 #include "reference/scene/scene_head.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +49,7 @@ SceneLoad read_scene_load(const Field& load, const JointSpec& joint) {
   if (const auto point = load.find("point")) {
     if (!is_force(out.type))
       point->refuse("is a point of a moment", "point beside fixed_force, follower_force only");
-    out.point = point->vector<3>("3 numbers, m, axes of node b");
+    out.point = point->vector<3>("3 numbers, m, axes of node b", dimension::length);
   }
   read_arm(load, joint, out);
   if (const auto held = load.find("held")) out.held = held->boolean();
@@ -65,12 +68,16 @@ std::vector<std::string> outputs_of(Kind kind) {
   return all;
 }
 
+/// rad at rest: rounding of a curve between points beside zero.
+constexpr double kNothing = 1e-12;
+
 /// Is there a moment about the axis alone wherever the joint turns about it alone?
 bool is_principal(const LawSpec& law, int axis) {
-  const auto* linear = std::get_if<LinearSpec>(&law);
-  if (!linear) return true;  // a polynomial for each axis
+  const auto at_rest = AnyLaw<double, 3>(law)(Vec3<double>::Zero());
   for (int i = 0; i < 3; ++i) {
-    if (i != axis && linear->matrix(i, axis) != 0) return false;
+    // Only a linear law couples axes; only a preload, or a curve not through zero, leaves a moment at rest.
+    const bool is_strained = std::abs(at_rest.stress[i]) > kNothing * at_rest.stiffness(i, i);
+    if (i != axis && (at_rest.stiffness(i, axis) != 0 || is_strained)) return false;
   }
   return true;
 }
@@ -83,18 +90,29 @@ void read_joint_path(const Field& path, Scene& scene) {
       axis->refuse("is asked of a joint that is not angular", "angular joints");
     scene.critical_axis = axis->integer(1, 3);
     if (!is_principal(scene.joint.law, scene.critical_axis - 1))
-      axis->refuse("is no principal axis of the law: a turn about it needs moments about the others",
-                   "a joint axis whose row of the law has its diagonal entry alone");
+      axis->refuse(
+          "is no principal axis of the law: a turn about it needs moments about the others",
+          "a joint axis whose row of the law has its diagonal entry alone, without preload of the others");
   }
 }
 
 std::optional<Unfit> unfit(const Entry& entry, const Scene& scene) {
   if (entry.needs_length && !scene.has_length)
     return Unfit{"needs the length of its rod", "joint.length beside it"};
-  const char* why = law_refused(entry, scene.joint);
-  if (why == nullptr) return std::nullopt;
-  return Unfit{why, entry.block_diagonal_law_only ? "a block-diagonal law, or other formulations"
-                                                  : "a positive definite law, or other formulations"};
+  const LawRefusal* refusal = law_refusal(entry, scene.joint);
+  if (refusal == nullptr) return std::nullopt;
+  return Unfit{refusal->what, fmt::format("{}, or other formulations", refusal->allowed)};
+}
+
+/// A hinge or a slide is meant, or a zero was forgotten: a person is told which.
+void note_free_strains(const Field& law, const JointSpec& joint) {
+  const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.law, joint.kind));
+  std::string names;
+  for (const auto& strain : free.colwise()) {
+    names += (names.empty() ? "" : ", ") + strain_name(strain, joint.kind);
+    if (is_slack(joint.law, strain)) names += " at rest";
+  }
+  if (!names.empty()) law.note("leaves free: " + names);
 }
 
 void read_wanted(const Field& file, Scene& scene) {
@@ -127,6 +145,7 @@ Scene joint_scene(const Field& file, const std::filesystem::path& path) {
   }
   scene.joint = read_joint(joint);
   scene.has_length = read_rod(joint, scene.joint);
+  note_free_strains(joint.at("law", ""), scene.joint);
   for (const Field load : loads_of(file)) {
     load.has_only(kLoadKeys);
     scene.loads.push_back(read_scene_load(load, scene.joint));

@@ -81,8 +81,9 @@ Field::Items loads_of(const Field& file) {
 NamedLoad read_load(const Field& load, const Names& types) {
   const std::string name = load.at("type", fmt::format("{}", fmt::join(types, ", "))).one_of(types);
   const std::string shape = "3 numbers, N or N m";
+  const Dimension& unit = name.ends_with("force") ? dimension::force : dimension::moment;
   return {int(std::find(types.begin(), types.end(), name) - types.begin()),
-          load.at("value", shape).vector<3>(shape)};
+          load.at("value", shape).vector<3>(shape, unit)};
 }
 
 void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read) {

@@ -3,6 +3,7 @@
 
 #include "reference/solve/equilibrium_problem.hpp"
 
+#include <optional>
 #include <string>
 
 namespace halfway::reference {
@@ -32,7 +33,17 @@ class Path {
   }
 
  private:
+  /// Of a scene with play, see has_play(): what its first equilibrium is found with.
+  struct Play {
+    Scene scene;
+    const Entry& entry;
+    double xi;
+    Setting setting;
+  };
+  void leave_play(double factor);
+
   EquilibriumProblem<T> problem_;
+  std::optional<Play> play_{};
   T held_reached_{1};
   Outcome<T> state_;
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfway::reference {
 namespace {
@@ -77,8 +78,9 @@ void linear_path(const Scene& scene, Curve& curve) {
     curve.rows.push_back(
         row_of(scene, factor, [&](const std::string& output) { return path.linear_output(output, factor); }));
   }
-  curve.converged = true;
-  curve.outcome = "converged";
+  curve.converged = std::ranges::all_of(curve.rows.back(), [](double x) { return std::isfinite(x); });
+  curve.outcome = curve.converged ? "converged" : "no stiffness at rest where the load works";
+  if (!curve.converged) curve.rows.pop_back();
 }
 
 bool asks_for(const SceneHead& scene, std::string_view name) {

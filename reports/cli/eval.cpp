@@ -27,8 +27,14 @@ constexpr const char* kFields =
                3, or -1, -2, -3 against it; 1 where it is left out
   kind         angular (3 rotations), linear (3 displacements), linear_angular (both, displacements first)
   law          {"type": "linear", "K": ...} with K (or stiffness; or compliance instead): n numbers, a diagonal,
-               or n rows of n, n = 3 or 6, N/m, N, N m/rad; symmetric to 1e-12, positive semidefinite
+               or n rows of n, n = 3 or 6, N/m, N, N m/rad; positive semidefinite, symmetric to 1e-12 or, of a
+               measured one, to "tolerance", at most 0.1. "axes": a rotation whose columns are the axes along
+               which it is given; or "axes_translation" and "axes_rotation"
                {"type": "polynomial", "k1": [...], "k3": [...], "k5": [...]}: stress k1 e + k3 e^3 + k5 e^5
+               {"type": "per_axis", "axis": [...]}, one of these for each strain: {"stiffness"}; {"k1", "k3", "k5"};
+               {"negative", "positive"}, slopes below and above zero; {"x", "y", "interpolation"}, stresses y at
+               strains x, linear, akima or monotone between, straight on beyond
+               beside each "preload" and "offset", n numbers: stress = law(strain - offset) + preload
   a, b         the nodes: x, position, m; q, node axes -> global axes, a quaternion [w, x, y, z] or the 3 rows
                of a matrix; o, joint point, m, node axes; h, joint axes -> node axes, as q. o and h may be left
                out, or stand beside a and b as offset_a, frame_a, offset_b, frame_b, as in scenes.
@@ -36,6 +42,7 @@ constexpr const char* kFields =
                taken from a and b beside them
   want         of "strain", "loads", "tangent", "energy"; strain and loads where it is left out
   id           anything; comes back as it came
+A number may be a text with a unit, "12 mm", "1.8 N m/deg", "3 kN/mm", and an array {"values": [...], "unit": "mm"}.
 
 Answers: {"id", "strain", "loads", "tangent", "energy"}, and "notes" where the input was normalised.
   strain   n numbers, displacements (m) before rotations (rad), axes of joint frame a's side

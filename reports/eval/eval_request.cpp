@@ -2,7 +2,7 @@
 
 #include "reference/scene/names.hpp"
 #include "reference/scene/read_joint.hpp"
-#include "reference/scene/read_law.hpp"
+#include "reference/scene/read_matrix.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,7 +61,7 @@ struct Given {
 
 Given read_given(const Field& node) {
   Given given;
-  if (const auto x = node.find("x")) given.x = x->vector<3>(kPosition);
+  if (const auto x = node.find("x")) given.x = x->vector<3>(kPosition, reference::dimension::length);
   if (const auto q = node.find("q")) given.R = reference::read_rotation(*q);
   return given;
 }
@@ -122,14 +122,11 @@ void read_want(const Field& field, EvalRequest& request) {
 }
 
 void check_law(const EvalRequest& request, const Field& law) {
-  const char* why = reference::law_refused(*request.entry, request.spec);
-  if (why == nullptr) return;
-  if (!request.entry->block_diagonal_law_only)
-    law.refuse(fmt::format("is refused: {} {}", request.entry->name, why), "a positive definite stiffness",
-               "singular_law");
-  reference::matrix_field(law).refuse(
-      fmt::format("couples translation and rotation, which {} does not", request.entry->name),
-      "off-diagonal 3x3 blocks of zeros", "block_diagonal_law_only");
+  const reference::LawRefusal* refusal = reference::law_refusal(*request.entry, request.spec);
+  if (refusal == nullptr) return;
+  const Field at = request.entry->block_diagonal_law_only ? reference::matrix_field(law) : law;
+  at.refuse(fmt::format("is refused: {} {}", request.entry->name, refusal->what), refusal->allowed,
+            refusal->code);
 }
 
 reference::Names known_keys() {

@@ -25,6 +25,7 @@ struct Case {
   const char* ends;
   const char* refused;  ///< a part of what both say; empty: accepted
   int notes;
+  const char* free = "";  ///< what a scene says is free; a request is answered whatever is
 };
 
 constexpr const char* kDiagonal = R"({"type":"linear","K":[10,20,30]})";
@@ -33,9 +34,13 @@ const Case kCases[] = {
     {"a diagonal", kDiagonal, "{}", "", 0},
     {"stiffness", R"({"type":"linear","stiffness":[[10,1,0],[1,20,2],[0,2,30]]})", "{}", "", 0},
     {"compliance", R"({"type":"linear","compliance":[[0.1,0,0],[0,0.2,0.01],[0,0.01,0.3]]})", "{}", "", 0},
-    {"a hinge", R"({"type":"linear","K":[30000,30000,0]})", "{}", "", 0},
+    {"a hinge", R"({"type":"linear","K":[30000,30000,0]})", "{}", "", 0, "rotation about joint axis 3"},
+    {"a hinge among curves",
+     R"({"type":"per_axis","axis":[{"k1":0},{"negative":1,"positive":2},{"k1":0,"k3":1}]})", "{}", "", 0,
+     "rotation about joint axis 1, rotation about joint axis 3 at rest"},
     {"an inverse", R"({"type":"linear","K":[[3,1.0000000000000002,0],[1,3,0],[0,0,1]]})", "{}", "", 1},
-    {"polynomial", R"({"type":"polynomial","k1":[0,2,3],"k5":[1,0,0]})", "{}", "", 0},
+    {"polynomial", R"({"type":"polynomial","k1":[0,2,3],"k5":[1,0,0]})", "{}", "", 0,
+     "rotation about joint axis 1 at rest"},
     {"offsets", kDiagonal, R"({"offset_a":[1,2,3],"b":{"o":[0.1,0,-2]}})", "", 0},
     {"frames", kDiagonal, R"({"a":{"h":[0.6,0.8,0,0]},"frame_b":[[0,-1,0],[1,0,0],[0,0,1]]})", "", 0},
     {"four digits", kDiagonal, R"({"frame_a":[0.9239,0.3827,0,0]})", "", 1},
@@ -50,7 +55,27 @@ const Case kCases[] = {
     {"indefinite", R"({"type":"linear","K":[[1,2,0],[2,1,0],[0,0,1]]})", "{}", "is indefinite", 0},
     {"negative", R"({"type":"linear","K":[100,1,-0.001]})", "{}", "on its diagonal", 0},
     {"two words", R"({"type":"linear","K":[1,1,1],"stiffness":[1,1,1]})", "{}", "stands beside", 0},
-    {"preload", R"({"type":"linear","K":[1,1,1],"preload":[1,1,1]})", "{}", "is not a known key;", 0},
+    {"preload", R"({"type":"linear","K":[1,1,1],"preload":[1,1,1]})", "{}", "", 0},
+    {"damping", R"({"type":"linear","K":[1,1,1],"damping":[1,1,1]})", "{}", "is not a known key;", 0},
+    {"offset", R"({"type":"polynomial","k1":[1,1,1],"offset":["2 deg",0,0]})", "{}", "", 0},
+    {"curves",
+     R"({"type":"per_axis","axis":[{"stiffness":"1 N m/deg"},{"negative":1,"positive":2},{"k1":1,"k3":-1}]})",
+     "{}", "", 0},
+    {"a table",
+     R"({"type":"per_axis","axis":[{"x":[-1,0,2],"y":[-3,0,4],"interpolation":"monotone"},{"k1":1},{"k1":2}]})",
+     "{}", "", 1},
+    {"a short table", R"({"type":"per_axis","axis":[{"x":[1],"y":[-3]},{"k1":1},{"k1":2}]})", "{}",
+     "has 1 points", 0},
+    {"units", kDiagonal, R"({"offset_a":["12 mm",0,"0.1 in"],"offset_b":{"values":[1,2,3],"unit":"cm"}})", "",
+     0},
+    {"a wrong unit", kDiagonal, R"({"offset_a":["12 N",0,0]})", "is in N (N in SI) where m is needed", 0},
+    {"an unknown unit", kDiagonal, R"({"offset_a":["12 mn",0,0]})", "which is no unit that is known", 0},
+    {"principal axes", R"({"type":"linear","K":[10,20,30],"axes":[0.8,0.6,0,0]})", "{}", "", 0},
+    {"axes of curves", R"({"type":"polynomial","k1":[1,1,1],"axes":[1,0,0,0]})", "{}",
+     "turn frame_a and frame_b", 0},
+    {"measured", R"({"type":"linear","K":[[10,1.1,0],[0.9,20,0],[0,0,5]],"tolerance":0.02})", "{}", "", 1},
+    {"badly measured", R"({"type":"linear","K":[[10,1.1,0],[0.9,20,0],[0,0,5]],"tolerance":0.5})", "{}",
+     "is out of range", 0},
     {"a short row", R"({"type":"linear","K":[[1,0,0],[0,1],[0,0,1]]})", "{}", "has 2 entries", 0},
 };
 
@@ -135,7 +160,9 @@ BOOST_AUTO_TEST_CASE(one_joint) {
         BOOST_TEST((request.spec.a.o == scene.spec.a.o && request.spec.b.o == scene.spec.b.o));
         BOOST_TEST((request.spec.a.H == scene.spec.a.H && request.spec.b.H == scene.spec.b.H));
         BOOST_TEST(request.notes.size() == std::size_t(c.notes));
-        BOOST_TEST(scene.notes.size() == std::size_t(c.notes));
+        const std::size_t free_notes = *c.free ? 1 : 0;
+        BOOST_REQUIRE(scene.notes.size() == std::size_t(c.notes) + free_notes);
+        if (*c.free) BOOST_TEST(scene.notes.back().find(c.free) != std::string::npos, scene.notes.back());
         for (const auto* end : {&request.spec.a, &request.spec.b})
           BOOST_TEST(reference::largest_entry<double>(end->H * end->H.transpose() -
                                                       Eigen::Matrix3d::Identity()) <= 1e-15);

@@ -89,9 +89,31 @@ class Mutator {
   std::mt19937_64 engine_{20112};
 };
 
+/// A law of curves, shifted, with units.
+json curved_request(Kind kind) {
+  json request = generic_request(*reference::find_formulation("invariant"), kind);
+  const json axes[] = {{{"x", {-2, -1, 0, 1, 3}}, {"y", {-50, -20, 0, 20, 30}}, {"interpolation", "akima"}},
+                       {{"negative", 18}, {"positive", 26}},
+                       {{"k1", 20}, {"k3", 5}}};
+  const std::size_t n = std::size_t(strain_count(kind));
+  json law = {{"type", "per_axis"}, {"axis", json::array()}};
+  for (std::size_t i = 0; i < n; ++i) law["axis"].push_back(axes[i % 3]);
+  law["preload"] = std::vector<double>(n, 0.5);
+  law["offset"] = {{"values", std::vector<double>(n, 0.25)}, {"unit", kind == Kind::linear ? "mm" : "deg"}};
+  if (kind == Kind::linear_angular) law["offset"] = {"1 mm", 0, "1 in", "2 deg", 0, "3 mrad"};
+  request["law"] = law;
+  request["a"]["o"] = {"12 mm", 0, "0.1 in"};
+  return request;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(fuzz)
+
+BOOST_AUTO_TEST_CASE(curves_are_accepted) {
+  for (Kind kind : kKinds)
+    BOOST_TEST(!answer(curved_request(kind)).contains("error"), answer(curved_request(kind)).dump());
+}
 
 BOOST_AUTO_TEST_CASE(mutated_lines) {
   constexpr int kLines = 20000;
@@ -104,6 +126,7 @@ BOOST_AUTO_TEST_CASE(mutated_lines) {
       seeds.push_back(request.dump());
     }
   }
+  for (Kind kind : kKinds) seeds.push_back(curved_request(kind).dump());
   Mutator mutator;
   int answered = 0, malformed = 0, refused = 0;
   for (int i = 0; i < kLines; ++i) {

@@ -77,7 +77,41 @@ const Mistake kMistakes[] = {
     {[](json& r) {
        r["law"]["preload"] = {1, 0, 0};
      },
-     "unknown_key", "law.preload"},
+     "wrong_shape", "law.preload"},
+    {[](json& r) { r["law"]["offset"] = {1, 0, 0, "1 mm", 0, 0}; }, "wrong_unit", "law.offset[3]"},
+    {[](json& r) { r["law"]["K"][1][1] = "3 kN"; }, "wrong_unit", "law.K[1][1]"},
+    {[](json& r) { r["law"]["K"][1][1] = "3 kM/m"; }, "unknown_unit", "law.K[1][1]"},
+    {[](json& r) { r["law"]["K"][1][1] = "3"; }, "wrong_unit", "law.K[1][1]"},
+    {[](json& r) { r["law"]["tolerance"] = 1; }, "wrong_value", "law.tolerance"},
+    {[](json& r) {
+       r["law"] = {{"type", "per_axis"}};
+     },
+     "missing_key", "law.axis"},
+    {[](json& r) {
+       r["law"] = {{"type", "per_axis"}, {"axis", {{{"k1", 1}}}}};
+     },
+     "wrong_shape", "law.axis"},
+    {[](json& r) {
+       r["law"] = {{"type", "per_axis"}, {"axis", {{{"k1", -1}}}}};
+     },
+     "indefinite_stiffness", "law.axis[0].k1"},
+    {[](json& r) {
+       r["law"] = {{"type", "per_axis"}, {"axis", {{{"k1", 1}, {"positive", 1}}}}};
+     },
+     "named_twice", "law.axis[0].positive"},
+    {[](json& r) {
+       r["law"] = {{"type", "per_axis"}, {"axis", {{{"x", {0, 1, 1}}, {"y", {0, 1, 2}}}}}};
+     },
+     "wrong_value", "law.axis[0].x"},
+    {[](json& r) {
+       r["formulation"] = "rod4";
+       r["law"] = {{"type", "linear"}, {"K", {1, 2, 3, 4, 5, 6}}, {"preload", {0, 0, 0, 1, 0, 0}}};
+     },
+     "law_of_one_stiffness_only", "law"},
+    {[](json& r) {
+       r["a"]["x"] = {{"values", {1, 2, 3}}, {"unit", "rad"}};
+     },
+     "wrong_unit", "a.x.values[0]"},
     {[](json& r) {
        r["offset_a"] = {0, 0, 1};
      },
@@ -248,7 +282,7 @@ BOOST_AUTO_TEST_CASE(messages_help) {
   BOOST_TEST(message.find("did you mean 'invariant'") != std::string::npos);
   BOOST_TEST(message.find("attached_a") != std::string::npos);
   // What is like nothing gets no suggestion.
-  for (const char* key : {"preload", "damping", "w"}) {
+  for (const char* key : {"hysteresis", "damping", "w"}) {
     json unlike = base();
     unlike["law"][key] = 1;
     const std::string text = answer(unlike)["error"]["message"];

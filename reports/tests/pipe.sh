@@ -108,4 +108,12 @@ cp "$folder/scene.toml" "$folder/...toml"
 sed -e 's/K = .*/K = [0, 2, 3]/' "$folder/scene.toml" > "$folder/hinge.toml"
 "$program" run "$folder/hinge.toml" --formulation conformal --out "$folder/results" 2>&1 | grep -q ' converged' || fail "hinge"
 sed -e 's/K = .*/K = [1, 2, 0]/' "$folder/scene.toml" > "$folder/free.toml"
-"$program" run "$folder/free.toml" --out "$folder/results" 2>&1 | grep -q 'direction without stiffness' || fail "free hinge"
+"$program" run "$folder/free.toml" --out "$folder/results" 2>&1 | grep -q 'direction without stiffness, free: rotation about joint axis 3' || fail "free hinge"
+"$program" run "$folder/hinge.toml" --formulation conformal --out "$folder/results" 2>&1 | grep -q 'note: joint.law leaves free: rotation about joint axis 1' || fail "name of the hinge"
+
+# The same among curves: flat everywhere is free, flat at rest alone is play; a preload works on a hinge as a load does.
+curves='type = "per_axis"\naxis = [{ k1 = 0 }, { negative = 1, positive = 2 }, { x = [-1, 0, 1], y = [-3, 0, 4] }]'
+sed -e "s/^type = \"linear\"/$curves/" -e '/^K = /d' "$folder/scene.toml" > "$folder/curves.toml"
+"$program" run "$folder/curves.toml" --formulation conformal --out "$folder/results" 2>&1 | grep -q ' converged' || fail "hinge among curves"
+sed -e 's/k1 = 0/x = [-1, 1], y = [2, 2]/' "$folder/curves.toml" > "$folder/flat.toml"
+"$program" run "$folder/flat.toml" --out "$folder/results" 2>&1 | grep -q 'preload works on a direction without stiffness, free: rotation about joint axis 1' || fail "preloaded hinge"

@@ -17,15 +17,45 @@ json json_of(const Mat3<double>& R) {
   return {q.w, q.v[0], q.v[1], q.v[2]};
 }
 
-json law_of(const reference::LawSpec& law) {
-  if (const auto* p = std::get_if<reference::PolynomialSpec>(&law))
-    return {{"type", "polynomial"}, {"k1", json_of(p->k1)}, {"k3", json_of(p->k3)}, {"k5", json_of(p->k5)}};
-  const auto& linear = std::get<reference::LinearSpec>(law);
-  Eigen::MatrixXd K = linear.matrix;
-  if (linear.is_compliance) K = linear.matrix.inverse();
+json rows_of(const Eigen::MatrixXd& m) {
   json rows = json::array();
-  for (Eigen::Index i = 0; i < K.rows(); ++i) rows.push_back(json_of(Eigen::VectorXd(K.row(i))));
-  return {{"type", "linear"}, {"K", rows}};
+  for (Eigen::Index i = 0; i < m.rows(); ++i) rows.push_back(json_of(Eigen::VectorXd(m.row(i))));
+  return rows;
+}
+
+/// The curve of one axis as scenes and requests spell it.
+json axis_of(const reference::PiecewisePolynomial& curve) {
+  const auto& c = curve.pieces.front();
+  if (curve.knots.empty()) return {{"k1", c[1]}, {"k3", c[3]}, {"k5", c[5]}};
+  if (curve.knots.size() == 1) return {{"negative", c[1]}, {"positive", curve.pieces.back()[1]}};
+  constexpr const char* kMethods[] = {"linear", "akima", "monotone"};
+  json y = json::array();
+  for (std::size_t i = 1; i < curve.pieces.size(); ++i) y.push_back(curve.pieces[i][0]);
+  return {{"x", curve.knots}, {"y", y}, {"interpolation", kMethods[int(curve.interpolation)]}};
+}
+
+struct PlainLaw {
+  json operator()(const reference::LinearSpec& law) const {
+    return {{"type", "linear"}, {law.is_compliance ? "compliance" : "stiffness", rows_of(law.matrix)}};
+  }
+  json operator()(const reference::PolynomialSpec& law) const {
+    return {
+        {"type", "polynomial"}, {"k1", json_of(law.k1)}, {"k3", json_of(law.k3)}, {"k5", json_of(law.k5)}};
+  }
+  json operator()(const reference::PerAxisSpec& law) const {
+    json axes = json::array();
+    for (const auto& curve : *law.axes) axes.push_back(axis_of(curve));
+    return {{"type", "per_axis"}, {"axis", axes}};
+  }
+};
+
+json law_of(const reference::LawSpec& law) {
+  json out = visit_unshifted(PlainLaw{}, law);
+  if (const auto* shifted = std::get_if<reference::ShiftedSpec>(&law)) {
+    out["offset"] = json_of(shifted->offset);
+    out["preload"] = json_of(shifted->preload);
+  }
+  return out;
 }
 
 json node_of(const Pose<double>& pose, const JointEnd<double>& end) {
@@ -39,19 +69,24 @@ std::string row_of(const Eigen::VectorXd& v) {
   return fmt::format("[{}]", fmt::join(std::vector<double>(v.begin(), v.end()), ", "));
 }
 
-std::string rows_of(const Eigen::MatrixXd& m) {
-  std::vector<std::string> rows;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) rows.push_back(row_of(m.row(i)));
-  return fmt::format("[{}]", fmt::join(rows, ",\n  "));
+std::string frame_text(const Mat3<double>& R) {
+  return fmt::format("[{}, {}, {}]", row_of(R.row(0)), row_of(R.row(1)), row_of(R.row(2)));
+}
+
+/// As values of TOML on one line.
+std::string inline_toml(const json& value) {
+  if (!value.is_structured()) return value.dump();
+  std::string out;
+  for (const auto& [key, item] : value.items())
+    out += (out.empty() ? "" : ", ") + (value.is_object() ? key + " = " : "") + inline_toml(item);
+  return value.is_object() ? "{ " + out + " }" : "[" + out + "]";
 }
 
 std::string law_text(const reference::LawSpec& law) {
-  if (const auto* p = std::get_if<reference::PolynomialSpec>(&law))
-    return fmt::format("type = \"polynomial\"\nk1 = {}\nk3 = {}\nk5 = {}\n", row_of(p->k1), row_of(p->k3),
-                       row_of(p->k5));
-  const auto& linear = std::get<reference::LinearSpec>(law);
-  return fmt::format("type = \"linear\"\n{} = {}\n", linear.is_compliance ? "compliance" : "stiffness",
-                     rows_of(linear.matrix));
+  const json all = law_of(law);
+  std::string out;
+  for (const auto& [key, value] : all.items()) out += fmt::format("{} = {}\n", key, inline_toml(value));
+  return out;
 }
 
 std::string load_text(const reference::SceneLoad& load) {
@@ -96,7 +131,7 @@ std::string scene_text(const reference::Scene& scene, const reference::Entry& en
   out += fmt::format("\n[joint]\nkind = \"{}\"\n", to_string(joint.kind));
   if (entry.needs_length) out += fmt::format("length = {}\naxis = {}\n", joint.length, joint.axis);
   for (const auto& [node, end] : {std::pair("a", &joint.a), std::pair("b", &joint.b)})
-    out += fmt::format("offset_{0} = {1}\nframe_{0} = {2}\n", node, row_of(end->o), rows_of(end->H));
+    out += fmt::format("offset_{0} = {1}\nframe_{0} = {2}\n", node, row_of(end->o), frame_text(end->H));
   out += "[joint.law]\n" + law_text(joint.law);
   for (const reference::SceneLoad& load : scene.loads) out += load_text(load);
   return out + fmt::format("\n[path]\nfactor_end = {}\npoints = {}\n", scene.factor_end, scene.points);

@@ -21,7 +21,8 @@ frame_b = [0.8, 0, 0.6, 0]
 h = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
 [joint.law]
 type = "linear"
-K = [1e5, 2e5, 3e5, 100, 200, 300]
+K = [1e5, "2 kN/cm", 3e5, 100, 200, 300]
+offset = [0, "1 mm", 0, "-2 deg", 0, 0]
 [[load]]
 type = "fixed_force"
 value = [0, 0, 1]
