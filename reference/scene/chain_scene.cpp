@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostLinks = 10000000;
 
 /// Of the way to where the end is held.
-constexpr int kMostSteps = 10000;
+constexpr int kMostHeldSteps = 10000;
 
 const Names kChainLoads = {"fixed_force",     "follower_force",         "fixed_moment",
                            "follower_moment", "semi_tangential_moment", "quasi_tangential_moment"};
@@ -105,7 +105,7 @@ void read_end(const Field& file, ChainScene& scene) {
     }
     held->has_only({"x", "h", "steps"});
     scene.held = read_pose(*held);
-    if (const auto steps = held->find("steps")) scene.held_steps = steps->integer(1, kMostSteps);
+    if (const auto steps = held->find("steps")) scene.held_steps = steps->integer(1, kMostHeldSteps);
     return;
   }
   const chain::Chain& c = scene.chain;
