@@ -50,12 +50,6 @@ Pose<double> pose(const Node& node) {
   return {{node.x[0], node.x[1], node.x[2]}, detail::rotation_matrix(detail::Quat(node.q))};
 }
 
-Mat3<double> semi_tangential(const Vec3<double>& m, const Mat3<double>& R) { return skew(m) / 2 * R; }
-
-Mat3<double> quasi_tangential(const Vec3<double>& m, const Vec3<double>& arm, const Mat3<double>& R) {
-  return m.cross(R * arm) * arm.transpose() / arm.squaredNorm();
-}
-
 Solution solve(const Chain& chain, const EndLoads& loads, const Settings& settings) {
   validate(chain), validate(settings);
   finite("force", loads.force), finite("follower_force", loads.follower_force);

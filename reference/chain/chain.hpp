@@ -54,10 +54,12 @@ struct EndLoads {
 
 /// Four dead forces on a cross that is fixed to the node and, where that has the orientation R, square to
 /// them: the moment is m there, and half of what turns the node turns it. N m, global axes.
-Mat3<double> semi_tangential(const Vec3<double>& m, const Mat3<double>& R);
+inline Mat3<double> semi_tangential(const Vec3<double>& m, const Mat3<double>& R) { return skew(m) / 2 * R; }
 /// One pair of them on an arm, node axes, which has to be across m where the node has the orientation R; its
 /// length means nothing.
-Mat3<double> quasi_tangential(const Vec3<double>& m, const Vec3<double>& arm, const Mat3<double>& R);
+inline Mat3<double> quasi_tangential(const Vec3<double>& m, const Vec3<double>& arm, const Mat3<double>& R) {
+  return m.cross(R * arm) * arm.transpose() / arm.squaredNorm();
+}
 
 /// Of the Newton iteration; the residual is the same for all, and so is the equilibrium that is reached.
 enum class Tangent {

@@ -1,5 +1,5 @@
 // halfway export: the joint of a scene in another program's words.
-#include "reference/scene/chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 #include "reference/scene/joint/names.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
@@ -63,7 +63,7 @@ void export_scene(const Asked& asked) {
   const auto* scene = std::get_if<reference::Scene>(&any);
   if (!scene)
     throw BadInput(
-        fmt::format("{}: is a chain, which no target can say; allowed: a scene with [joint]", asked.scene));
+        fmt::format("{}: is no scene of one joint, which is all that targets can say; allowed: a scene with [joint]", asked.scene));
   if (asked.law_only && asked.to != "bus")
     throw BadInput(fmt::format("--law-only: {} says the whole joint; allowed: --to bus", asked.to));
   const ExportRequest request{*scene, formulation_meant(asked, *scene), asked.law_only};
