@@ -111,6 +111,7 @@ SceneJoint read_scene_joint(const Field& table, MechanismScene& scene) {
   const auto name = table.find("name");
   out.name = name ? read_name(*name, scene) : fmt::format("joint{}", scene.joints.size() + 1);
   out.spec = read_joint(table);
+  note_free_strains(table.at("law", ""), out.spec);
   out.has_length = read_rod(table, out.spec);
   const auto between = table.find("between");
   int* const ends[] = {&out.a, &out.b};
@@ -145,9 +146,11 @@ Factors read_factors(const Field& table, const MechanismScene& scene) {
   const auto field = table.find("factors");
   if (!field) return {};
   if (scene.steps == 0) field->refuse("stands without steps", "steps in the table [path]");
-  const Eigen::VectorXd factors =
-      field->vector(scene.steps, fmt::format("{} numbers, one for each step", scene.steps));
-  return {factors.begin(), factors.end()};
+  const std::string allowed = fmt::format("{} numbers, one for each step", scene.steps);
+  Factors factors = field->numbers(allowed, dimension::none);
+  if (factors.size() != std::size_t(scene.steps))
+    field->refuse(fmt::format("has {} entries", factors.size()), allowed, "wrong_shape");
+  return factors;
 }
 
 /// A value in three components, or of one of them about or along an axis.

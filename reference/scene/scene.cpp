@@ -1,8 +1,8 @@
 #include "reference/scene/scene.hpp"
 
-#include "reference/scene/joint/free_strains.hpp"
 #include "reference/scene/joint/names.hpp"
 #include "reference/scene/joint/read_joint.hpp"
+#include "reference/scene/joint/read_law.hpp"
 #include "reference/scene/read_mechanism.hpp"
 #include "reference/scene/scene_head.hpp"
 
@@ -102,17 +102,6 @@ std::optional<Unfit> unfit(const Entry& entry, const Scene& scene) {
   const LawRefusal* refusal = law_refusal(entry, scene.joint);
   if (refusal == nullptr) return std::nullopt;
   return Unfit{refusal->what, fmt::format("{}, or other formulations", refusal->allowed)};
-}
-
-/// A hinge or a slide is meant, or a zero was forgotten: a person is told which.
-void note_free_strains(const Field& law, const JointSpec& joint) {
-  const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.law, joint.kind));
-  std::string names;
-  for (const auto& strain : free.colwise()) {
-    names += (names.empty() ? "" : ", ") + strain_name(strain, joint.kind);
-    if (is_slack(joint.law, strain)) names += " at rest";
-  }
-  if (!names.empty()) law.note("leaves free: " + names);
 }
 
 void read_wanted(const Field& file, Scene& scene) {

@@ -79,7 +79,10 @@ Field::Items loads_of(const Field& file) {
 }
 
 NamedLoad read_load(const Field& load, const Names& types) {
-  const std::string name = load.at("type", fmt::format("{}", fmt::join(types, ", "))).one_of(types);
+  const Field type = load.at("type", fmt::format("{}", fmt::join(types, ", ")));
+  if (type.is_text() && type.text().starts_with("prescribed"))
+    type.refuse("is no load", "a table [[motion]] with type = rotation or displacement and its value");
+  const std::string name = type.one_of(types);
   const std::string shape = "3 numbers, N or N m";
   const Dimension& unit = name.ends_with("force") ? dimension::force : dimension::moment;
   return {int(std::find(types.begin(), types.end(), name) - types.begin()),

@@ -59,7 +59,7 @@ void list_programs() {
 /// Keys that no scene shows are no part of what is published: said, and the exit code tells.
 void print_schema() {
   std::vector<std::string> unseen;
-  print(scene_schema({}, unseen).dump(1) + "\n");
+  print(scene_schema(unseen).dump(1) + "\n");
   for (const std::string& key : unseen)
     tell(fmt::format("no scene has {}: the schema takes anything there\n", key));
 }

@@ -19,27 +19,33 @@ using reference::Document, reference::DocumentNode, reference::Question;
 using Json = nlohmann::ordered_json;
 using Words = std::set<std::string>;
 
-/// What may stand at one place of scene files, gathered from all of them.
+/// What may stand at one place of scene files, gathered from all of them. Tables of an array are at the
+/// array's own: one joint and the joints of a mechanism have the same words.
 struct Place {
-  std::map<std::string, Place> keys{};  ///< of a table; the items of an array are at ""
+  std::map<std::string, Place> keys{};  ///< of a table; other items of an array are at ""
   Words allowed{};                      ///< keys, where the reader takes no others
   std::optional<Words> needed{};        ///< those asked for of every table here
-  bool is_table = false, is_closed = false, is_list = false;
+  bool is_table = false, is_closed = false, is_list = false, holds_tables = false;
   std::vector<Question> asked{};
 };
 
 Place& place_of(Place& root, const Document& document, std::size_t place) {
   Place* at = &root;
-  for (const std::size_t node : reference::way_to(document, place))
-    at = &at->keys[std::string(document.nodes[node].key)];
+  for (const std::size_t node : reference::way_to(document, place)) {
+    const DocumentNode& item = document.nodes[node];
+    if (item.type == DocumentNode::Type::table && item.key.empty()) continue;
+    at = &at->keys[std::string(item.key)];
+  }
   return *at;
 }
 
 void add_tables(Place& root, const Document& document) {
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {
     const auto type = document.nodes[i].type;
-    if (type == DocumentNode::Type::table) place_of(root, document, i).is_table = true;
-    if (type == DocumentNode::Type::array) place_of(root, document, i).is_list = true;
+    const bool is_item = i > 0 && document.nodes[i].key.empty();
+    Place& place = place_of(root, document, i);
+    if (type == DocumentNode::Type::table) (is_item ? place.holds_tables : place.is_table) = true;
+    if (type == DocumentNode::Type::array) place.is_list = true;
   }
 }
 
@@ -84,12 +90,18 @@ Json with_unit(const Json& values) {
           {"additionalProperties", false}};
 }
 
+/// One of the words, or any name.
+Json name(const std::vector<std::string>& words) {
+  if (words.empty()) return {{"type", "string"}, {"minLength", 1}};
+  return Json::object({{"enum", words}});
+}
+
 /// What one question takes.
 std::vector<Json> answers(const Question& question) {
   using Type = Question::Type;
   switch (question.type) {
     case Type::text:
-      return {{{"type", "string"}, {"minLength", 1}}};
+      return {name({})};
     case Type::boolean:
       return {{{"type", "boolean"}}};
     case Type::number:
@@ -97,9 +109,9 @@ std::vector<Json> answers(const Question& question) {
     case Type::integer:
       return {{{"type", "integer"}, {"minimum", question.low}, {"maximum", question.high}}};
     case Type::name:
-      return {{{"enum", question.words}}};
+      return {name(question.words)};
     case Type::names:
-      return {{{"type", "array"}, {"items", {{"enum", question.words}}}, {"uniqueItems", true}}};
+      return {list(name(question.words), question)};
     default:
       break;
   }
@@ -113,15 +125,21 @@ void add_new(std::vector<Json>& to, const Json& schema) {
   if (std::ranges::find(to, schema) == to.end()) to.push_back(schema);
 }
 
-/// Names that a reader takes of one table or of another are names of one place.
-void merge_names(std::vector<Json>& schemas) {
+/// One list of names for a place: the one that has all that any file may use there, or none where that
+/// differs from file to file: names of the scene's own, any text.
+std::vector<Question> with_common_names(std::vector<Question> asked) {
+  std::vector<Question*> lists;
   Words all;
-  std::erase_if(schemas, [&](const Json& schema) {
-    if (!schema.contains("enum")) return false;
-    for (const auto& word : schema["enum"]) all.insert(word.get<std::string>());
-    return true;
-  });
-  if (!all.empty()) schemas.insert(schemas.begin(), {{"enum", all}});
+  for (Question& question : asked) {
+    if (question.type != Question::Type::name && question.type != Question::Type::names) continue;
+    lists.push_back(&question);
+    all.insert(question.words.begin(), question.words.end());
+  }
+  const auto whole =
+      std::ranges::find_if(lists, [&](auto* list) { return list->words.size() == all.size(); });
+  const auto words = whole == lists.end() ? std::vector<std::string>{} : (*whole)->words;
+  for (Question* list : lists) list->words = words;
+  return asked;
 }
 
 class Writer {
@@ -130,13 +148,13 @@ class Writer {
 
   Json schema(const Place& place, const std::string& path) {
     std::vector<Json> out;
-    for (const Question& question : place.asked)
+    for (const Question& question : with_common_names(place.asked))
       for (const Json& answer : answers(question)) add_new(out, answer);
-    merge_names(out);
     const bool has_values = !place.asked.empty();
     if (place.is_table && !(has_values && place.keys.contains("values"))) add_new(out, table(place, path));
-    if (place.is_list && !has_values) add_new(out, items(place, path));
-    if (out.empty()) unseen_.push_back(path);
+    if (place.holds_tables) add_new(out, {{"type", "array"}, {"minItems", 1}, {"items", table(place, path)}});
+    if (place.is_list && !has_values && !place.holds_tables) add_new(out, items(place, path));
+    if (out.empty() && std::ranges::find(unseen_, path) == unseen_.end()) unseen_.push_back(path);
     if (out.size() == 1) return out.front();
     return out.empty() ? Json::object() : Json{{"anyOf", out}};
   }
@@ -175,10 +193,10 @@ class Writer {
 
 }  // namespace
 
-Json scene_schema(const std::vector<std::filesystem::path>& more, std::vector<std::string>& unseen) {
+Json scene_schema(std::vector<std::string>& unseen) {
   std::vector<std::filesystem::path> folders = {reference::scenes_folder()};
-  for (const char* name : {"chains", "mechanisms", "seen"}) folders.push_back(folders.front() / name);
-  folders.insert(folders.end(), more.begin(), more.end());
+  for (const char* name : {"chains", "mechanisms", "seen", "words"})
+    folders.push_back(folders.front() / name);
   Place root;
   for (const auto& folder : folders) {
     for (const auto& file : reference::scene_files(folder))

@@ -3,17 +3,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace halfway::reports {
 
-/// Of what the reader asks while it reads the scenes of the canonical folders: their keys, whether they are
+/// Of what the reader asks while it reads the scenes of the sources: their keys, whether they are
 /// needed, and what each may hold.
-/// @param more  folders with scenes beside those
 /// @param unseen  keys that are allowed and stand in none of them: anything goes there
-nlohmann::ordered_json scene_schema(const std::vector<std::filesystem::path>& more,
-                                    std::vector<std::string>& unseen);
+nlohmann::ordered_json scene_schema(std::vector<std::string>& unseen);
 
 }  // namespace halfway::reports

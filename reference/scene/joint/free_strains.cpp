@@ -68,7 +68,11 @@ Eigen::VectorXd strain_units(const Eigen::MatrixXd& K) {
 
 Eigen::MatrixXd free_strains(const Eigen::MatrixXd& K) {
   if (K.size() == 0) return K;
-  const Eigen::VectorXd scale = strain_units(K);
+  Eigen::VectorXd scale = strain_units(K);
+  for (Eigen::Index i = 0; i < K.rows(); ++i) {
+    // Alone in its row it is no rounding of larger entries, however small.
+    if (K(i, i) > 0 && K.row(i).cwiseAbs().sum() == K(i, i)) scale[i] = 1 / std::sqrt(K(i, i));
+  }
   Eigen::FullPivLU<Eigen::MatrixXd> lu(scale.asDiagonal() * K * scale.asDiagonal());
   lu.setThreshold(kNone);
   if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(K.rows(), 0);

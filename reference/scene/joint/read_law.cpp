@@ -1,5 +1,6 @@
 #include "reference/scene/joint/read_law.hpp"
 
+#include "reference/scene/joint/free_strains.hpp"
 #include "reference/scene/joint/read_curves.hpp"
 #include "reference/scene/joint/read_matrix.hpp"
 
@@ -74,6 +75,16 @@ LawSpec read_law(const Field& law, Kind kind) {
                   shift(preload, kind, "N or N m", stress_dimensions(kind))};
   if (out.offset.isZero(0) && out.preload.isZero(0)) return as_law(std::move(out.law));
   return out;
+}
+
+void note_free_strains(const Field& law, const JointSpec& joint) {
+  const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.law, joint.kind));
+  std::string names;
+  for (const auto& strain : free.colwise()) {
+    names += (names.empty() ? "" : ", ") + strain_name(strain, joint.kind);
+    if (is_slack(joint.law, strain)) names += " at rest";
+  }
+  if (!names.empty()) law.note("leaves free: " + names);
 }
 
 }  // namespace halfway::reference

@@ -12,4 +12,7 @@ namespace halfway::reference {
 /// Throws Refusal [unknown_law, not_symmetric, indefinite_stiffness, wrong_unit, unknown_unit].
 LawSpec read_law(const Field& law, Kind kind);
 
+/// Says in a note which strains the law leaves free, if any.
+void note_free_strains(const Field& law, const JointSpec& joint);
+
 }  // namespace halfway::reference

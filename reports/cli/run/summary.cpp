@@ -44,12 +44,21 @@ std::string first_line(const reference::SceneHead& scene, const std::vector<Curv
   return out + "\n";
 }
 
+/// Of all columns but the load factor, each two blanks from the one before.
+std::vector<std::string> heads_of(const std::vector<std::string>& columns) {
+  std::vector<std::string> out;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    const std::string_view unit = reference::unit_of_output(columns[i]);
+    out.push_back(fmt::format("  {}{}{}", columns[i], unit.empty() ? "" : ", ", unit));
+  }
+  return out;
+}
+
 std::string group_lines(const std::vector<Curve>& curves, const Comparison& comparison) {
   if (comparison.groups.empty()) return "";
   std::string out = kIndent;
-  const auto& columns = curves.front().columns;
-  for (std::size_t i = 1; i < columns.size(); ++i)
-    out += fmt::format("{:>14}", fmt::format("{}, {}", columns[i], reference::unit_of_output(columns[i])));
+  const auto heads = heads_of(curves.front().columns);
+  for (const std::string& head : heads) out += fmt::format("{:>14}", head);
   out += "    error   within  formulations\n";
   std::string others;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
@@ -59,7 +68,8 @@ std::string group_lines(const std::vector<Curve>& curves, const Comparison& comp
       continue;
     }
     out += kIndent;
-    for (double x : answer) out += fmt::format("{:>14.5g}", x);
+    for (std::size_t i = 0; i < answer.size(); ++i)
+      out += fmt::format("{:>{}.5g}", answer[i], std::max<std::size_t>(14, heads[i].size()));
     out += fmt::format("{:>9}{:>9}  {}\n", error ? fmt::format("{:.0e}", *error) : "-",
                        members.size() > 1 ? percent(apart) : "-", joined(curves, members));
   }

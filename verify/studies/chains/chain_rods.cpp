@@ -1,6 +1,7 @@
 #include "verify/studies/chains/chain_rods.hpp"
 
 #include "reference/chain/scenes/solve_chain_scene.hpp"
+#include "reference/scene/any_scene.hpp"
 
 #include <cmath>
 #include <map>

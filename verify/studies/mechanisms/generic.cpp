@@ -98,7 +98,7 @@ MechanismScene generic_loop(const Entry& entry, bool dead) {
   const auto rest = reference::initial_poses<double>(out);
   out.bodies[2].pose =
       Pose<double>{rest[2]->x + random.vector(0.02), random.rotation(0.02, 0.03) * rest[2]->R};
-  const JointEnd<double> at_ground = out.joints[2].spec.a, at_body = out.joints[2].spec.b;
+  const JointEnd<double> at_body = out.joints[2].spec.b;
   out.joints[2].spec.a.o = out.bodies[2].pose->x + out.bodies[2].pose->R * at_body.o + random.vector(0.02);
   out.joints[2].spec.a.H = random.rotation(0.02, 0.03) * out.bodies[2].pose->R * at_body.H;
   const double size = 0.05 * smallest_stiffness(out.joints[0].spec);
