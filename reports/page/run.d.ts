@@ -16,6 +16,16 @@ export interface RunFile {
   joints: Array<RunJoint>;
   chain?: RunChain;
   loads: Array<RunLoad>;
+  motions?: Array<RunMotion>;
+}
+
+export interface RunMotion {
+  name: string;
+  body: number;
+  type: "rotation" | "displacement";
+  value: Array<number>;
+  axis?: string;
+  point: Array<number>;
 }
 
 export interface RunScene {

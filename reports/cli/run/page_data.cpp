@@ -126,6 +126,16 @@ Json load_json(const reference::SceneLoad& load, int body) {
           {"held", load.held}};
 }
 
+Json motion_json(const reference::SceneMotion& motion) {
+  Json out = {{"name", motion.name},
+              {"body", motion.body},
+              {"type", motion.is_rotation ? "rotation" : "displacement"},
+              {"value", vector_json(motion.value)},
+              {"point", vector_json(motion.point)}};
+  if (motion.axis >= 0) out["axis"] = std::string(1, char('x' + motion.axis));
+  return out;
+}
+
 }  // namespace
 
 Json vector_json(const Vec3<double>& v) { return numbers(v); }
@@ -184,6 +194,8 @@ Json page_data(const reference::MechanismScene& scene, const Ran& ran) {
   for (const auto& joint : scene.joints)
     out["joints"].push_back(joint_json(joint.name, joint.spec, joint.a, joint.b));
   for (const auto& load : scene.loads) out["loads"].push_back(load_json(load, load.body));
+  out["motions"] = Json::array();
+  for (const auto& motion : scene.motions) out["motions"].push_back(motion_json(motion));
   for (std::size_t i = 0; i < ran.curves.size(); ++i) {
     Json& curve = out["curves"][i];
     curve["poses"] = curve["holding"] = Json::array();

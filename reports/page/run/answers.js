@@ -1,7 +1,7 @@
 // What a run says first: the scene, who agrees, who ends early and why, and what was left out.
 import {h, plainTable, swatch} from '../dom.js';
 import {full, short} from '../format.js';
-import {chainWords, endWords, kindWords, lawWords, loadWords, nodeWords} from './words.js';
+import {chainWords, endWords, kindWords, lawWords, loadWords, motionWords, nodeWords} from './words.js';
 
 /** @typedef {import('./run.js').App} App */
 
@@ -118,9 +118,10 @@ export function sceneFacts({run}) {
     loads.length
       ? term('loads', lines(loadWords(run).map((text) => `${text[0].toUpperCase()}${text.slice(1)}.`)))
       : '',
+    run.motions?.length ? term('motions', lines(motionWords(run).map((text) => `${text}.`))) : '',
     term(
       'load factor',
-      loads.length
+      loads.length && !run.motions
         ? `From 0 to ${short(path.factor_end, 5)}; it multiplies the loads above.`
         : `From 0 to ${short(path.factor_end, 5)}.`
     ),

@@ -125,6 +125,17 @@ export const loadWords = ({loads, bodies}) =>
     return `${word} ${vectorWords(value)} ${unit} on ${nodeWords(bodies[body].name)}${where}, ${way}${held ? '; in full from the start' : ''}`;
   });
 
+/** What bodies are made to do. @param {RunFile} run @returns {string[]} */
+export const motionWords = ({motions = [], bodies}) =>
+  motions.map(({name, body, type, value, axis, point}) => {
+    const unit = type === 'rotation' ? 'rad' : 'm';
+    const what = axis
+      ? `${short(value['xyz'.indexOf(axis)], 5)} ${unit} ${type === 'rotation' ? 'about' : 'along'} ${axis} alone`
+      : `${vectorWords(value)} ${unit}`;
+    const where = isZero(point) ? '' : `, of its point ${vectorWords(point)} m`;
+    return `${name}: ${type} of ${nodeWords(bodies[body].name)} by ${what}${where}`;
+  });
+
 /** @param {string} name */
 export const nodeWords = (name) => (/^\w$/.test(name) ? `node ${name}` : name);
 
