@@ -62,8 +62,9 @@ void export_scene(const Asked& asked) {
   const reference::AnyScene any = scene_named(asked.scene);
   const auto* scene = std::get_if<reference::Scene>(&any);
   if (!scene)
-    throw BadInput(
-        fmt::format("{}: is no scene of one joint, which is all that targets can say; allowed: a scene with [joint]", asked.scene));
+    throw BadInput(fmt::format(
+        "{}: is no scene of one joint, which is all that targets can say; allowed: a scene with [joint]",
+        asked.scene));
   if (asked.law_only && asked.to != "bus")
     throw BadInput(fmt::format("--law-only: {} says the whole joint; allowed: --to bus", asked.to));
   const ExportRequest request{*scene, formulation_meant(asked, *scene), asked.law_only};
