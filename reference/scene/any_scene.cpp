@@ -36,6 +36,12 @@ AnyScene read_any_scene(const std::filesystem::path& path) {
   return out;
 }
 
+AnyScene read_scene_text(const std::string& text, const std::string& name) {
+  AnyScene out;
+  with_scene_text(text, name, [&](Document& document) { out = any_of(Field(document), name); });
+  return out;
+}
+
 void with_questions(const std::filesystem::path& path,
                     const std::function<void(const Document&, const std::vector<Question>&)>& use) {
   with_scene_file(path, [&](Document& document) {

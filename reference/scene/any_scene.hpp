@@ -17,6 +17,9 @@ using AnyScene = std::variant<Scene, ChainScene, MechanismScene>;
 /// than one joint does. Throws SceneError.
 AnyScene read_any_scene(const std::filesystem::path& file);
 
+/// The same of a text that no file holds; `name` stands for it in messages.
+AnyScene read_scene_text(const std::string& text, const std::string& name);
+
 /// The scenes of chains in the folder `chains` of scenes_folder(), where there is one, ordered by name.
 /// Throws SceneError.
 std::vector<ChainScene> chain_scenes();

@@ -20,6 +20,17 @@ std::string name_of(const std::filesystem::path& file) {
   return stem.find_first_not_of('.') == std::string::npos ? file.filename().string() : stem;
 }
 
+template <class Read>
+void with_document(const std::string& name, Read&& read, const std::function<void(Document&)>& use) {
+  Document document;
+  try {
+    read(document);
+    use(document);
+  } catch (const Refusal& refusal) {
+    throw SceneError(fmt::format("{}:{}: {}", name, refusal.line, refusal.what()));
+  }
+}
+
 }  // namespace
 
 void read_title(const Field& file, const std::filesystem::path& path, SceneHead& out) {
@@ -90,13 +101,14 @@ NamedLoad read_load(const Field& load, const Names& types) {
 }
 
 void with_scene_file(const std::filesystem::path& path, const std::function<void(Document&)>& use) {
-  Document document;
-  try {
-    read_toml(path, document);
-    use(document);
-  } catch (const Refusal& refusal) {
-    throw SceneError(fmt::format("{}:{}: {}", path.string(), refusal.line, refusal.what()));
-  }
+  with_document(
+      path.string(), [&](Document& document) { read_toml(path, document); }, use);
+}
+
+void with_scene_text(const std::string& text, const std::string& name,
+                     const std::function<void(Document&)>& use) {
+  with_document(
+      name, [&](Document& document) { read_toml_text(text, name, document); }, use);
 }
 
 void read_scene_file(const std::filesystem::path& path, const std::function<SceneHead&(const Field&)>& read) {

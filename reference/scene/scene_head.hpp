@@ -62,6 +62,10 @@ void read_scene_file(const std::filesystem::path& path, const std::function<Scen
 /// Opens the file for `use`. Throws SceneError for each Refusal.
 void with_scene_file(const std::filesystem::path& path, const std::function<void(Document&)>& use);
 
+/// The same of a text that no file holds; `name` stands for it in messages.
+void with_scene_text(const std::string& text, const std::string& name,
+                     const std::function<void(Document&)>& use);
+
 /// The files *.toml of a folder, ordered by name. Throws SceneError where there is none.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& folder);
 

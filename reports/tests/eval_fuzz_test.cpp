@@ -3,6 +3,7 @@
 #include "reports/eval/read_fast.hpp"
 #include "reports/tests/eval_promises.hpp"
 #include "reports/tests/eval_support.hpp"
+#include "reports/tests/scene_promises.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -155,6 +156,15 @@ BOOST_AUTO_TEST_CASE(kept_lines) {
   int lines = 0;
   for (std::string line; std::getline(file, line); ++lines) BOOST_TEST(broken_promise(line) == "");
   BOOST_TEST(lines > 100);
+}
+
+/// Files of scenes, kept by `.ci/fuzz scenes`: each a JSON text.
+BOOST_AUTO_TEST_CASE(kept_scenes) {
+  std::ifstream file(HALFWAY_SCENES_CORPUS);
+  int texts = 0;
+  for (std::string line; std::getline(file, line); ++texts)
+    BOOST_TEST(broken_scene_promise(json::parse(line).get<std::string>()) == "", line);
+  BOOST_TEST(texts > 5);
 }
 
 /// Or all answers would be right, and late.
