@@ -113,7 +113,7 @@ constexpr Broken kBrokenCurves[] = {
      "joint.law.axis[1].interpolation = \"akimaa\": is not a known name (did you mean 'akima'?); allowed: "
      "linear, akima, monotone",
      "\"akima\"", "\"akimaa\" #!"},
-    {"law_unknown",
+    {"law_type_unknown",
      "joint.law.type = \"per_axes\": is not a known name (did you mean 'per_axis'?); allowed: linear, "
      "polynomial, per_axis",
      "\"per_axis\"", "\"per_axes\" #!"},
@@ -182,7 +182,7 @@ constexpr Broken kBrokenMatrix[] = {
      "K = [[10, 0.1, 0, 0, 0, \"1 N/deg\"],", "K = [[10, 100, 0, 0, 0, \"1 N/deg\"], #!"},
     {"tolerance_too_large", "joint.law.tolerance = 0.5: is out of range; allowed: a number from 1e-12 to 0.1",
      "tolerance = 0.02", "tolerance = 0.5 #!"},
-    {"tolerance_zero", "joint.law.tolerance = 0: is out of range; allowed: a number from 1e-12",
+    {"matrix_tolerance_zero", "joint.law.tolerance = 0: is out of range; allowed: a number from 1e-12",
      "tolerance = 0.02", "tolerance = 0 #!"},
     {"axes_twice",
      "joint.law.axes_rotation = [1, 0, 0, 0]: stands beside axes; allowed: axes, or axes_translation and "

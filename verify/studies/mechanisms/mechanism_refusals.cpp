@@ -138,7 +138,7 @@ constexpr Broken kBrokenMechanisms[] = {
     {"path_critical_axis", "path.critical_axis = ", "critical = true", "critical_axis = 1 #!"},
     {"output_of_no_joint", "outputs[2] = ", "\"pin1.a.f_x\", \"frequency_1\"]", "\"pin3.a.f_x\"] #!"},
     {"output_of_no_mode", "outputs[3] = ", "\"frequency_1\"]", "\"frequency_12\"] #!"},
-    {"formulation_without_length", "formulations = ", "formulations = [\"invariant\"]",
+    {"mechanism_without_length", "formulations = ", "formulations = [\"invariant\"]",
      "formulations = [\"invariant\", \"rod34\"] #!"},
     {"linearized", "formulations[2] = ", "formulations = [\"invariant\"]",
      "formulations = [\"invariant\", \"linearized\"] #!"},

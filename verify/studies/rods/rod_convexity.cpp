@@ -1,9 +1,8 @@
 // The rotation up to which the energies of rod4 and rod34 are convex: searched for, and where their moment
 // vanishes.
+#include "reference/numbers/linear_algebra.hpp"
 #include "reference/scene/joint/convexity.hpp"
 #include "verify/oracle/property.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <fmt/format.h>
 
@@ -48,8 +47,7 @@ double radius_along(const Entry& entry, const JointSpec& spec, const Principal& 
   }
   const Mat3<double> white = law.axes * law.k.cwiseSqrt().cwiseInverse().asDiagonal();
   const Mat3<double> form = white.transpose() * (law.K() - hessian) * white / (r * r);
-  const double most =
-      Eigen::SelfAdjointEigenSolver<Mat3<double>>(form, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  const double most = -reference::spectrum(-form).smallest;
   return 1 / std::sqrt(most);
 }
 
@@ -125,9 +123,7 @@ Mat6 hessian_at(const Entry& entry, const JointSpec& spec, const Strain6& at) {
   return out;
 }
 
-double least_eigenvalue(const Mat6& m) {
-  return Eigen::SelfAdjointEigenSolver<Mat6>(m, Eigen::EigenvaluesOnly).eigenvalues()[0];
-}
+double least_eigenvalue(const Mat6& m) { return reference::spectrum(m).smallest; }
 
 /// A law with coupling, just inside what is stated: the least eigenvalue of the Hessian over that of the law;
 /// and the Hessian at rest, which is the law's stiffness.
