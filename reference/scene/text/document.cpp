@@ -3,11 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfway::reference {
 namespace {
 
 constexpr std::size_t kLongestShown = 60;
+
+/// A message is read up to its first null character, which a text of TOML or JSON may have.
+std::string without_nulls(std::string text) {
+  for (std::size_t at = text.find('\0'); at != std::string::npos; at = text.find('\0', at))
+    text.replace(at, 1, "\\u0000");
+  return text;
+}
 
 }  // namespace
 
@@ -32,6 +40,7 @@ const char* type_name(DocumentNode::Type type) {
 }
 
 std::string shortened(std::string text) {
+  text = without_nulls(std::move(text));
   std::replace(text.begin(), text.end(), '\n', ' ');
   if (text.size() <= kLongestShown) return text;
   std::size_t end = kLongestShown;
@@ -60,7 +69,8 @@ std::string path_of(const Document& document, std::size_t place) {
       for (std::size_t before = holder + 1; before != item; before = nodes[before].end) ++index;
       path += fmt::format("[{}]", index);
     } else {
-      path += (path.empty() ? "" : ".") + std::string(nodes[item].key.substr(0, kLongestShown));
+      path +=
+          (path.empty() ? "" : ".") + without_nulls(std::string(nodes[item].key.substr(0, kLongestShown)));
     }
     holder = item;
   }
