@@ -121,17 +121,4 @@ class Model {
 /// Where the unknowns of a body are among (dx, psi), and how many.
 inline int first_direction(Kind kind) { return kind == Kind::angular ? 3 : 0; }
 
-/// fn(std::integral_constant<Kind, kind>{})
-template <class Fn>
-auto by_kind(Kind kind, Fn&& fn) {
-  switch (kind) {
-    case Kind::angular:
-      return fn(std::integral_constant<Kind, Kind::angular>{});
-    case Kind::linear:
-      return fn(std::integral_constant<Kind, Kind::linear>{});
-    default:
-      return fn(std::integral_constant<Kind, Kind::linear_angular>{});
-  }
-}
-
 }  // namespace halfway::reference::mechanism

@@ -37,7 +37,7 @@ Model<T>::Model(const MechanismScene& scene, const Entry& entry, double xi) : sc
     joint.spec = from.spec;
     joint.spec.xi = xi;
     joint.spec.a = joint.spec.b = {};
-    const JointEnd<T> a = end_of<T>(from.spec.a), b = end_of<T>(from.spec.b);
+    const JointEnd<T> a = end_in<T>(from.spec.a), b = end_in<T>(from.spec.b);
     joint.A = poses[std::size_t(from.a)]->R * a.H;
     for (const bool is_a : {true, false}) {
       Node<T>& node = is_a ? joint.a : joint.b;

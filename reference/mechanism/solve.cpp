@@ -3,6 +3,7 @@
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
+#include "reference/solve/stop_cause.hpp"
 
 #include <fmt/format.h>
 
@@ -97,7 +98,7 @@ class Walk {
     if (path_.reached().status == Status::singular_tangent ||
         (!now.empty() && std::abs(now.front()) <= kSoft * now.back()))
       return "the tangent is singular: a fold, a branching, or a motion that nothing resists";
-    return "no smaller load step converges on this branch";
+    return to_string(StopCause::unknown);
   }
 
   const MechanismScene& scene_;

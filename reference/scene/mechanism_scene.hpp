@@ -2,6 +2,7 @@
 #pragma once
 
 #include "halfway/equilibrium.hpp"
+#include "reference/face/in_scalar.hpp"
 #include "reference/face/registry.hpp"
 #include "reference/scene/scene.hpp"
 
@@ -71,16 +72,6 @@ int prescribed_count(const MechanismScene& scene);
 /// What a formulation has against a joint of it, as "which takes no coupling" goes on; "": nothing.
 std::string mechanism_objection(const Entry& entry, const MechanismScene& scene);
 
-/// A frame as a rotation to the last digit of T: files have it in double.
-template <class T>
-Mat3<T> rotation_of(const Mat3<double>& H) {
-  return so3::matrix<T>(so3::quaternion<T>(Mat3<T>(H.template cast<T>())));
-}
-template <class T>
-JointEnd<T> end_of(const JointEnd<double>& end) {
-  return {end.o.template cast<T>(), rotation_of<T>(end.H)};
-}
-
 /// Where the bodies are while nothing is loaded: as they say, or where the first joint from a placed body
 /// is at rest. None where no joint leads there.
 template <class T>
@@ -88,14 +79,14 @@ std::vector<std::optional<Pose<T>>> initial_poses(const MechanismScene& scene) {
   std::vector<std::optional<Pose<T>>> out;
   for (const SceneBody& body : scene.bodies) {
     out.emplace_back();
-    if (body.pose) out.back() = Pose<T>{body.pose->x.template cast<T>(), rotation_of<T>(body.pose->R)};
+    if (body.pose) out.back() = Pose<T>{body.pose->x.template cast<T>(), rotation_in<T>(body.pose->R)};
   }
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
     for (const SceneJoint& joint : scene.joints) {
       const bool from_a = out[joint.a].has_value();
       if (from_a == out[joint.b].has_value()) continue;
-      const JointEnd<T> a = end_of<T>(joint.spec.a), b = end_of<T>(joint.spec.b);
+      const JointEnd<T> a = end_in<T>(joint.spec.a), b = end_in<T>(joint.spec.b);
       if (from_a)
         out[joint.b] = unstrained<T>(a, b, *out[joint.a]);
       else

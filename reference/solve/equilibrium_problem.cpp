@@ -1,7 +1,8 @@
 #include "reference/solve/equilibrium_problem.hpp"
 
+#include "reference/face/in_scalar.hpp"
+
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 namespace halfway::reference {
@@ -38,29 +39,6 @@ NodeLoad<T> node_load(const SceneLoad& load, const Mat3<T>& R) {
   return out;
 }
 
-/// Frames are orthonormal in double; where that is no rounding, the nearest rotation.
-template <class T>
-JointEnd<T> cast_end(const JointEnd<double>& e) {
-  const Mat3<T> H = e.H.template cast<T>();
-  if constexpr (std::is_same_v<T, double>)
-    return {e.o, H};
-  else
-    return {e.o.template cast<T>(), so3::matrix<T>(so3::quaternion<T>(H))};
-}
-
-/// fn(std::integral_constant<Kind, kind>{})
-template <class Fn>
-auto dispatched(Kind kind, Fn&& fn) {
-  switch (kind) {
-    case Kind::angular:
-      return fn(std::integral_constant<Kind, Kind::angular>{});
-    case Kind::linear:
-      return fn(std::integral_constant<Kind, Kind::linear>{});
-    default:
-      return fn(std::integral_constant<Kind, Kind::linear_angular>{});
-  }
-}
-
 }  // namespace
 
 template <class T>
@@ -68,8 +46,8 @@ EquilibriumProblem<T>::EquilibriumProblem(const Scene& scene, const Entry& entry
                                           const Setting& setting)
     : entry_(entry),
       spec_(scene.joint),
-      a_(cast_end<T>(scene.joint.a)),
-      b_(cast_end<T>(scene.joint.b)),
+      a_(end_in<T>(scene.joint.a)),
+      b_(end_in<T>(scene.joint.b)),
       exchanged_(setting.nodes_exchanged) {
   spec_.xi = xi;
   spec_.a = spec_.b = {};
@@ -134,7 +112,7 @@ NodeBalance<T> EquilibriumProblem<T>::balance_kind(const Pose<T>& joint, const T
 
 template <class T>
 NodeBalance<T> EquilibriumProblem<T>::balance(const Pose<T>& joint, const T& factor) const {
-  return dispatched(spec_.kind, [&](auto kind) { return balance_kind<kind()>(joint, factor); });
+  return by_kind(spec_.kind, [&](auto kind) { return balance_kind<kind()>(joint, factor); });
 }
 
 template <class T>
@@ -160,7 +138,7 @@ NodeMatrix<T> EquilibriumProblem<T>::node_tangent(const Pose<T>& joint, const T&
 template <class T>
 Outcome<T> EquilibriumProblem<T>::follow(const Outcome<T>& from, const T& factor_to, const JointLoad<T>& rate,
                                          const JointLoad<T>* base) const {
-  return dispatched(spec_.kind, [&](auto tag) {
+  return by_kind(spec_.kind, [&](auto tag) {
     constexpr Kind kind = decltype(tag)::value;
     const auto inside = [this](const Pose<T>& joint) { return internal<unknown_count(kind)>(joint); };
     const SolverOptions<T> options;
@@ -186,7 +164,7 @@ JointLoad<T> EquilibriumProblem<T>::as_joint_load(const NodeVector<T>& load) con
 template <class T>
 Outcome<T> EquilibriumProblem<T>::initial(T* reached) const {
   if (reached) *reached = T(1);
-  const NodeVector<T> stress = dispatched(
+  const NodeVector<T> stress = by_kind(
       spec_.kind, [&](auto kind) -> NodeVector<T> { return internal<unknown_count(kind())>(start()).load; });
   if (!has_held_ && stress.isZero(T(0))) return {};
   const JointLoad<T> holding = as_joint_load(stress);
@@ -209,7 +187,7 @@ Outcome<T> EquilibriumProblem<T>::equilibrium_near(const Pose<T>& joint, const T
 
 template <class T>
 Pose<T> EquilibriumProblem<T>::displaced(const Pose<T>& joint, const NodeVector<T>& step) const {
-  return dispatched(spec_.kind, [&](auto kind) { return halfway::displaced<kind(), T>(joint, step); });
+  return by_kind(spec_.kind, [&](auto kind) { return halfway::displaced<kind(), T>(joint, step); });
 }
 
 template <class T>
@@ -254,7 +232,7 @@ T EquilibriumProblem<T>::output_error(const std::string& name, const Outcome<T>&
 
 template <class T>
 T EquilibriumProblem<T>::linear_output(const std::string& name, const T& factor) const {
-  const NodeMatrix<T> stiffness = dispatched(spec_.kind, [&](auto kind) -> NodeMatrix<T> {
+  const NodeMatrix<T> stiffness = by_kind(spec_.kind, [&](auto kind) -> NodeMatrix<T> {
     return internal<unknown_count(kind())>(start()).tangent;
   });
   Vec3<T> theta = Vec3<T>::Zero(), u = Vec3<T>::Zero();

@@ -46,7 +46,7 @@ def tables(value, path=()):
             yield from tables(item, path + (i,))
 
 
-# Whatever table has an unknown key, or loses a key that every table like it needs, is refused.
+# Whatever table has an unknown key is refused, what has another type, and what loses a key that all like it need.
 refused = 0
 for file, scene in files.items():
     for path, table in tables(scene):
@@ -61,9 +61,20 @@ for key, value in {"title": 3, "xis": "0.5", "outputs": "theta_x", "formulations
     for file, scene in files.items():
         assert not validator.is_valid(scene | {key: value}), f"{file}: {key} = {value} passes"
         refused += 1
-for file, scene in files.items():
-    for key in ("title",):
-        assert not validator.is_valid({k: v for k, v in scene.items() if k != key}), f"{file}: {key} is not needed"
-        refused += 1
+for path in (("title",), ("joint", "kind"), ("joint", "law"), ("joint", "law", "type"), ("path", "factor_end"), ("chain", "links"), ("chain", "EA")):
+    lost = 0
+    for file, scene in files.items():
+        changed = copy.deepcopy(scene)
+        at = changed
+        for step in path[:-1]:
+            at = at.get(step, {}) if isinstance(at, dict) else {}
+        if not isinstance(at, dict) or path[-1] not in at or (path[0] == "path" and ("steps" in at or "chain" in scene)):
+            continue
+        del at[path[-1]]
+        needed = not validator.is_valid(changed)
+        lost += needed
+    # A path of a mechanism may count steps instead, so that none is needed everywhere.
+    assert lost or path == ("path", "factor_end"), f"{path} is needed nowhere"
+    refused += lost
 print(f"{len(files)} scenes pass, {refused} mistakes are refused")
 PYTHON
