@@ -135,9 +135,17 @@ struct Prescribed {
   T missing{0}, rounding{0}, rate{0};
 };
 
+/// What a motion to zero leaves: beside bodies of some length, or turns of matrices whose entries are of size
+/// one, nothing smaller is seen. Without it the equation of a motion to zero is never met.
+template <class T>
+T unseen(const T& size) {
+  return rounding_unit<T>() * T(Eigen::NumTraits<T>::epsilon()) * size;
+}
+
+/// @param length  of the mechanism, m
 template <class T>
 Prescribed<T> displacement_along(const Vec3<T>& e, const Motions<T>& motion, const Pose<T>& at,
-                                 const Line<T>& grows, const T& factor) {
+                                 const Line<T>& grows, const T& factor, const T& length) {
   Prescribed<T> out;
   const Vec3<T> r = at.R * motion.arm;
   out.by_motion << e, r.cross(e);
@@ -148,7 +156,8 @@ Prescribed<T> displacement_along(const Vec3<T>& e, const Motions<T>& motion, con
   out.missing = grows.at(factor) * wanted - u;
   out.rate = grows.rate * wanted;
   out.rounding = rounding_unit<T>() * (T(abs(grows.at(factor) * wanted)) + e.cwiseAbs().dot(at.x.cwiseAbs()) +
-                                       motion.arm.norm() * so3::log<T>(at.R).norm());
+                                       motion.arm.norm() * so3::log<T>(at.R).norm()) +
+                 unseen<T>(motion.value.norm() + length);
   return out;
 }
 
@@ -165,7 +174,8 @@ Prescribed<T> rotation_about(const Vec3<T>& e, const Motions<T>& motion, const P
   out.missing = grows.at(factor) * wanted - e.dot(theta);
   out.rate = grows.rate * wanted;
   out.rounding =
-      rounding_unit<T>() * (T(abs(grows.at(factor) * wanted)) + e.cwiseAbs().dot(theta.cwiseAbs()));
+      rounding_unit<T>() * (T(abs(grows.at(factor) * wanted)) + e.cwiseAbs().dot(theta.cwiseAbs())) +
+      unseen<T>(T(1));
   return out;
 }
 
@@ -182,7 +192,7 @@ Prescribed<T> orientation(int axis, const Motions<T>& motion, const Pose<T>& at,
   out.by_motion << Vec3<T>::Zero(), so3::gamma_inverse(over).transpose() * e;
   out.missing = -over[axis];
   out.rate = grows.rate * motion.value[axis];
-  out.rounding = rounding_unit<T>() * wanted.norm();
+  out.rounding = rounding_unit<T>() * wanted.norm() + unseen<T>(T(1));
   return out;
 }
 
@@ -199,9 +209,10 @@ void Equations<T>::add_motions() {
       const Line<T>& grows = stage_.motions[i];
       const bool is_whole = motion.scene.axis < 0;
       const Vec3<T> e = body.E.transpose() * Vec3<T>::Unit(is_whole ? j : motion.scene.axis);
-      const Prescribed<T> p = !motion.scene.is_rotation ? displacement_along<T>(e, motion, at, grows, factor_)
-                              : is_whole                ? orientation<T>(j, motion, at, grows, factor_)
-                                                        : rotation_about<T>(e, motion, at, grows, factor_);
+      const Prescribed<T> p = !motion.scene.is_rotation
+                                  ? displacement_along<T>(e, motion, at, grows, factor_, length())
+                              : is_whole ? orientation<T>(j, motion, at, grows, factor_)
+                                         : rotation_about<T>(e, motion, at, grows, factor_);
       const int row = motion.first + j, first = first_direction(*body.moves);
       const T& exerted = state_.exerted[row];
       G_.row(row).segment(body.first, body.count()) = p.by_motion.segment(first, body.count()).transpose();
@@ -288,7 +299,9 @@ Vector<T> Equations<T>::error() const {
 
 template <class T>
 T Equations<T>::residual() const {
-  const T size = acting_ + rounding_.head(model_.unknowns()).norm();
+  // Beside what cancels: bodies under stress of each other alone are acted on by nothing.
+  const T cancels = rounding_.head(model_.unknowns()).norm() / rounding_unit<T>();
+  const T size = std::max(acting_, cancels);
   return imbalance_.head(model_.unknowns()).norm() / (size > T(0) ? size : T(1));
 }
 

@@ -7,12 +7,19 @@
 
 namespace halfway::reference::mechanism {
 
+/// The farthest that a body has been from its pose at rest, rad and m.
+template <class T>
+struct Moved {
+  T turn{0}, shift{0};
+};
+
 /// What was reached, whether it converged or not.
 template <class T>
 struct Reached {
   Status status = Status::converged;
   T factor{0};
   State<T> state;
+  Moved<T> moved;
   Vector<T> error;  ///< estimated, of the unknowns and of what motions exert
   int iterations = 0, steps = 0;
   T residual{0};

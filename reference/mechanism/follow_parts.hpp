@@ -128,16 +128,24 @@ State<T> Follower<T>::start_of(const Reached<T>& from, const T& factor) const {
   return largest_turn(from.state.at, ahead.at) <= SolverOptions<T>{}.largest_turn ? ahead : from.state;
 }
 
-/// Is the estimated error small beside what the bodies have moved, or beside rounding of it? Displacements
-/// count beside rotations at the mechanism's own length: what is zero by symmetry has no relative error.
 template <class T>
-bool is_within(const Model<T>& model, const Equations<T>& system, const Vector<T>& error, const T& relative) {
-  T turn(0), shift(0), turn_error(0), shift_error(0), reach(0);
+Moved<T> moved_until(Moved<T> moved, const Poses<T>& at) {
+  for (const Pose<T>& pose : at) {
+    keep_largest(moved.turn, T(so3::log<T>(pose.R).norm()));
+    keep_largest(moved.shift, T(pose.x.norm()));
+  }
+  return moved;
+}
+
+/// Is the estimated error small beside what the bodies have moved on their way, or beside rounding of it?
+/// Displacements count beside rotations at the mechanism's own length: what is zero by symmetry has no
+/// relative error, and neither has what comes back to where it was.
+template <class T>
+bool is_within(const Model<T>& model, const Equations<T>& system, const Vector<T>& error,
+               const Moved<T>& moved, const T& relative) {
+  T turn = moved.turn, shift = moved.shift, turn_error(0), shift_error(0), reach(0);
   for (std::size_t i = 0; i < model.bodies().size(); ++i) {
     const Vec6<T> own = model.of_body(error, model.bodies()[i]);
-    const Pose<T>& at = system.state().at[i];
-    keep_largest(turn, T(so3::log<T>(at.R).norm()));
-    keep_largest(shift, T(at.x.norm()));
     keep_largest(turn_error, T(own.template tail<3>().norm()));
     keep_largest(shift_error, T(own.template head<3>().norm()));
     keep_largest(reach, T(model.bodies()[i].point.norm()));
@@ -157,13 +165,15 @@ NewtonRun<T> Follower<T>::attempt(Reached<T>& out, const Stage<T>& stage, const 
   out.iterations += run.corrections;
   if (run.stop != NewtonStop::rounding && run.stop != NewtonStop::stalled) return run;
   const Vector<T> error = system.error();
-  const auto within = [&](const T& relative) { return is_within(model_, system, error, relative); };
+  const Moved<T> moved = moved_until(out.moved, system.state().at);
+  const auto within = [&](const T& relative) { return is_within(model_, system, error, moved, relative); };
   const bool is_state = run.stop == NewtonStop::rounding || within(T(kCoarse));
   const bool is_near = largest_turn(out.state.at, system.state().at) <= options.largest_turn;
   run.stop = is_state && is_near ? NewtonStop::rounding : NewtonStop::stalled;
   if (run.stop != NewtonStop::rounding) return run;
   out.status = within(options.accuracy) ? Status::converged : Status::inaccurate;
   out.factor = factor;
+  out.moved = moved;
   out.state = system.state();
   out.error = error;
   out.residual = system.residual();

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <set>
 
 namespace halfway::reference {
 
@@ -105,6 +106,20 @@ void to_json(nlohmann::json& json, const Finding& f) {
           {"reason", f.reason},
           {"verdict", to_string(f.verdict)}};
   if (f.verdict == Verdict::fail && !f.replay.empty()) json["replay"] = f.replay;
+}
+
+Finding named_once(const std::vector<Finding>& findings) {
+  std::set<std::string> seen, twice;
+  for (const Finding& f : findings)
+    if (!seen.insert(f.name).second) twice.insert(f.name);
+  std::string names;
+  for (const std::string& name : twice) names += (names.empty() ? "" : ", ") + name;
+  return finding("records/named_once")
+      .about("records")
+      .measured(double(twice.size()), names)
+      .in("names given twice")
+      .at_most(0, "a finding is kept, compared and drawn by its name")
+      .by(Oracle::closed_form);
 }
 
 }  // namespace halfway::reference

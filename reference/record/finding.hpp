@@ -85,6 +85,10 @@ class Draft {
   Finding f_;
 };
 
+/// Findings are kept, compared and drawn by their names: none may be another's. Fails with the names given
+/// twice.
+Finding named_once(const std::vector<Finding>& findings);
+
 inline Draft finding(std::string name) { return Draft(std::move(name)); }
 
 const char* to_string(Verdict verdict);

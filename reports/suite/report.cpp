@@ -76,6 +76,7 @@ void verify_all(const ReportOptions& options, Results& results) {
     for (const auto& finding : findings_of(check)) results.findings.push_back(finding);
     progress(++done, int(checks.size()), check.name);
   }
+  results.findings.push_back(reference::named_once(results.findings));
   results.saboteurs = verify::computed_rows();
   for (const auto& f : results.findings) {
     if (f.verdict == reference::Verdict::left_out) results.left_out.push_back({f.name, f.reason});

@@ -42,6 +42,11 @@ Signed<T> determinant_of(const Characteristic<T>& c) {
 }
 
 template <class T>
+Signed<T> minors_of(const Characteristic<T>& c) {
+  return {c.minors, c.trace * c.trace};
+}
+
+template <class T>
 Signed<T> discriminant_of(const Characteristic<T>& c) {
   using std::abs;
   const T trace2 = c.trace * c.trace, minors2 = c.minors * c.minors, det2 = c.det * c.det;
@@ -115,10 +120,11 @@ CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyIner
                     *angle};
   };
   const Function50 determinant = [&](const Real50& angle) { return determinant_of(at(angle)); };
+  const Function50 minors = [&](const Real50& angle) { return minors_of(at(angle)); };
   const Function50 discriminant = [&](const Real50& angle) { return discriminant_of(at(angle)); };
 
   CriticalLoads out{{}, {}, end_angle_, end_};
-  double before = 0, before_angle = 0;
+  double before = 0, before_angle = 0, minors_before = 0;
   for (const Sample& s : samples_) {
     const auto point = with_moment<double>(s.joint, axis_, setting, s.angle);
     if (s.angle > 0 && !(point.load > 0)) {
@@ -133,11 +139,14 @@ CriticalLoads PrimaryPath::critical(const MomentSetting& setting, const BodyIner
     if (s.angle == 0 && c.det < 0) out.divergence = critical_at(Real50(0));  // unstable at rest
     if (!out.divergence && before != 0 && (c.det < 0) != (before < 0))
       out.divergence = critical_at(sign_change(determinant, before_angle, s.angle));
+    if (!out.divergence && before > 0 && c.det > 0 && minors_before > 0 && c.minors < 0)
+      out.divergence = critical_at(double_zero(determinant, minors, before_angle, s.angle));
     const auto d = discriminant_of(c);
     if (!out.flutter && s.angle > 0 && d.value < -kRounding * d.size)
       out.flutter = critical_at(first_negative(discriminant, s.angle - before_angle, s.angle));
     if (out.divergence && out.flutter) break;  // where the path ends then does not matter
     before = c.det;
+    minors_before = c.minors;
     before_angle = s.angle;
   }
   return out;

@@ -74,11 +74,9 @@ class PrimaryPath {
   /// Angular joint whose law has the axis for a principal one. `entry` must outlive the path.
   PrimaryPath(const Entry& entry, JointSpec spec, int axis, bool nodes_exchanged = false);
 
-  /// First divergence (the determinant changes sign) and first flutter (the discriminant becomes negative),
-  /// located to 40 digits at 50. A pole of either is no critical load. Islands narrower than the samples
-  /// (2 mrad) are not seen, nor is a load at which two turns become unstable at once, where the determinant
-  /// only touches zero (quaternion under K = (2, 1, 3), semi-tangential: studies/rods searches by signs
-  /// instead).
+  /// First divergence (the determinant changes sign, or touches zero where two turns become unstable at once)
+  /// and first flutter (the discriminant becomes negative), located to 40 digits at 50. A pole of either is
+  /// no critical load. Flutter in islands narrower than the samples (2 mrad) is not seen.
   /// @param setting  of the moment. @param body  at the loaded node; divergence does not depend on it.
   CriticalLoads critical(const MomentSetting& setting, const BodyInertia& body) const;
 

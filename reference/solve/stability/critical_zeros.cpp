@@ -55,6 +55,15 @@ std::optional<Real50> sign_change(const Function50& f, double from, double to) {
   return zero_between(f, Real50(from), Real50(to));
 }
 
+std::optional<Real50> double_zero(const Function50& determinant, const Function50& minors, double from,
+                                  double to) {
+  const auto between = sign_change(minors, from, to);
+  if (!between) return std::nullopt;
+  const Signed<Real50> there = determinant(*between);
+  if (there.value < -kRounding50 * there.size) return zero_between(determinant, Real50(from), *between);
+  return there.value <= kRounding50 * there.size ? between : std::nullopt;
+}
+
 std::optional<Real50> first_negative(const Function50& f, double step, double to) {
   const auto negative = [&](double angle) {
     const Signed<Real50> s = f(Real50(angle));

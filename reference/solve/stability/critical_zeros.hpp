@@ -21,6 +21,12 @@ using Function50 = std::function<Signed<Real50>(const Real50&)>;
 /// digits see no change.
 std::optional<Real50> sign_change(const Function50& f, double from, double to);
 
+/// Where a determinant goes through zero between two angles at which it is positive, twice in a row or by
+/// touching zero: rad, of the first. Two roots have then changed their sign, and so has the sum of their
+/// pairs' products. Nothing where that sum alone changes its sign.
+std::optional<Real50> double_zero(const Function50& determinant, const Function50& minors, double from,
+                                  double to);
+
 /// Where f becomes negative on the way from 0 to `to`, usually within `step` of it; 0 when it is not
 /// positive even there. Nothing when f is not negative at `to` beyond rounding, or at a pole.
 std::optional<Real50> first_negative(const Function50& f, double step, double to);

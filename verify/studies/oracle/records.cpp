@@ -94,8 +94,26 @@ std::vector<Finding> apart() {
           .by(Oracle::closed_form)};
 }
 
+/// Two findings of one name are found, wherever they stand, and said.
+std::vector<Finding> twice() {
+  const auto named = [](const char* name) { return Finding(finding(name).reported("nothing")); };
+  const Finding once = reference::named_once({named("a/b"), named("a"), named("b")});
+  const Finding two = reference::named_once({named("a/b"), named("a"), named("b"), named("a/b")});
+  const int wrong = (once.verdict != Verdict::pass) + (two.verdict != Verdict::fail) + (two.value != 1) +
+                    (two.parameter != "a/b");
+  return {finding("records/twice")
+              .about("records")
+              .measured(tapped(double(wrong)), two.parameter)
+              .in("wrong answers")
+              .at_most(0, "a name given twice fails and is said; three names given once pass")
+              .by(Oracle::closed_form)};
+}
+
 }  // namespace
 
-void records(Checks& checks) { checks.push_back({"records/apart", {}, apart}); }
+void records(Checks& checks) {
+  checks.push_back({"records/apart", {}, apart});
+  checks.push_back({"records/twice", {}, twice});
+}
 
 }  // namespace halfway::verify

@@ -1,7 +1,6 @@
 #include "verify/studies/rods/one_joint.hpp"
 
 #include "reference/numbers/random.hpp"
-#include "reference/numbers/zeros.hpp"
 #include "reference/record/effort.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 namespace halfway::verify {
 namespace {
@@ -127,28 +125,12 @@ const Vec3<double>& block_stiffness() {
   return k;
 }
 
-/// Is the joint stable against every small turn about this state? Two turns may lose that at the same load,
-/// where the determinant only touches zero.
-bool holds(const reference::LoadedState<double>& state) {
-  return reference::characteristic(state.J, {}, state.R).positive();
-}
-
 std::optional<double> first_divergence(const Entry& entry, const Vec3<double>& stiffness) {
-  constexpr reference::MomentSetting kSemi{reference::MomentType::semi_tangential, false};
-  constexpr int kSamples = 1501;  // odd, so that none falls on a quarter of a turn
   const reference::JointSpec spec = moment_scene(stiffness, Vec3<double>::UnitX()).joint;
-  const auto state = [&](double angle) {
-    return reference::loaded_state<double>(entry, spec, 0, kSemi, angle);
-  };
-  const double end = reference::PrimaryPath(entry, spec, 0).end_angle();
-  double low = end / kSamples, high = low;
-  while (holds(state(high)) && state(high).load > 0) {
-    low = high, high += end / kSamples;
-    if (high > end) return std::nullopt;
-  }
-  const double load =
-      state(reference::last_where([&](double angle) { return holds(state(angle)); }, low, high, 60)).load;
-  return load > 0 ? std::optional(load) : std::nullopt;
+  const auto found = reference::PrimaryPath(entry, spec, 0)
+                         .critical({reference::MomentType::semi_tangential, false}, {})
+                         .divergence;
+  return found ? std::optional(double(found->load)) : std::nullopt;
 }
 
 }  // namespace

@@ -33,6 +33,14 @@ std::vector<Finding> zeros() {
   const auto touching = [&](const Real50& x) {
     return Signed<Real50>{(x - pass) * (x - pass) * (meeting - x), one};
   };
+  // Two roots that become negative one after the other, at once, and a sum of products that is negative
+  // alone.
+  const Real50 first("0.9990"), second("1.0005");
+  const auto two = [&](const Real50& x) { return Signed<Real50>{(first - x) * (second - x), one}; };
+  const auto twice = [&](const Real50& x) { return Signed<Real50>{(one - x) * (one - x), one}; };
+  const auto sum = [&](const Real50& x) { return Signed<Real50>{first + second - x - x, one}; };
+  const auto falling = [&](const Real50& x) { return Signed<Real50>{one - x, one}; };
+  const auto above = [&](const Real50& x) { return Signed<Real50>{one + x * x, one}; };
   const auto at_once = [&](const Real50& x) { return Signed<Real50>{-x * x, one}; };
   const Finding none = finding("stability_kind/zeros/pole")
                            .about("stability_kind")
@@ -40,9 +48,36 @@ std::vector<Finding> zeros() {
                            .in("zeros found")
                            .at_most(0, "1/(sqrt 2 - x) changes its sign and has no zero")
                            .by(Oracle::closed_form);
-  return {zero("simple", sign_change(parabola, 1.25, 1.5), sqrt(Real50(2))), none,
+  return {zero("simple", sign_change(parabola, 1.25, 1.5), sqrt(Real50(2))),
+          none,
           zero("touched", first_negative(touching, 0.5625, 0.8125), meeting),
-          zero("at_once", first_negative(at_once, 0.125, 0.125), Real50(0))};
+          zero("at_once", first_negative(at_once, 0.125, 0.125), Real50(0)),
+          zero("double", double_zero(twice, falling, 0.75, 1.25), one),
+          zero("two_in_a_row", double_zero(two, sum, 0.75, 1.25), first),
+          finding("stability_kind/zeros/no_double")
+              .about("stability_kind")
+              .measured(double_zero(above, falling, 0.75, 1.25) ? 1 : 0)
+              .in("zeros found")
+              .at_most(0, "a determinant that stays above 1 has no zero")
+              .by(Oracle::closed_form)};
+}
+
+/// Turned by phi about its stiff axis, a quaternion joint answers with M = k sin(phi): at a right angle it
+/// loses its hold about that axis and, for K = (2, 1, 3) under a semi-tangential moment, across it at the
+/// same load.
+std::vector<Finding> two_at_once() {
+  JointSpec spec;
+  spec.law = LinearSpec{Vec3<double>(2, 1, 3).asDiagonal(), false};
+  const auto found = PrimaryPath(*find_formulation("quaternion"), spec, 0)
+                         .critical({MomentType::semi_tangential, false}, kRound)
+                         .divergence;
+  return {finding("stability_kind/two_at_once/quaternion")
+              .of("quaternion")
+              .about("stability_kind")
+              .measured(found ? double(abs(tapped(found->load) - Real50(2))) : std::nan(""))
+              .in("N m")
+              .at_most(1e-38, "the angle is located to 1e-42 rad, and the moment is at its largest there")
+              .by(Oracle::closed_form)};
 }
 
 /// The seven values of C3, as the scene has them.
@@ -144,6 +179,7 @@ Finding eigenvalue_road(const Entry& entry, Kind, Draft f) {
 
 void stability_kind_critical(Checks& checks) {
   checks.push_back({"stability_kind/zeros", "stability", zeros});
+  checks.push_back({"stability_kind/two_at_once", "stability", two_at_once});
   checks.push_back({"stability_kind/c3", "stability", c3_values});
   add_property(checks, "critical_second_road", {Kind::angular}, second_road);
   add_property(checks, "critical_by_eigenvalues", {Kind::angular}, eigenvalue_road);
