@@ -48,6 +48,13 @@ class Walk {
     auto& poses = curve.poses.emplace_back();
     for (std::size_t i = 0; i < model_.bodies().size(); ++i)
       poses.push_back(mechanism::node_of(model_, path_.reached().state.at, i));
+    auto& reactions = curve.reactions.emplace_back();
+    for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+      const auto of = [&](bool at_a) {
+        return mechanism::reaction(model_, path_.reached().state.at, j, at_a);
+      };
+      reactions.emplace_back() << of(true), of(false);
+    }
     if (modes.growth > 0 && grows_.empty())
       grows_ = fmt::format("; {} at load factor {:.6g}", modes.flutters ? "flutter" : "divergence",
                            path_.reached().factor);
