@@ -3,6 +3,7 @@
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
+#include "reference/scene/joint/free_strains.hpp"
 #include "reference/solve/stop_cause.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,22 @@ double of_modes(const Modes& modes, const std::string& name) {
   if (name == "growth") return modes.growth;
   const std::size_t i = std::size_t(std::stoi(name.substr(name.find('_') + 1)) - 1);
   return name.starts_with("frequency_") ? modes.frequencies.at(i) : modes.eigenvalues.at(i);
+}
+
+/// What goes on after "a load works on a direction without stiffness" where a curve is flat at rest alone.
+std::string play_of(const MechanismScene& scene) {
+  for (const SceneJoint& joint : scene.joints) {
+    const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.spec.law, joint.spec.kind));
+    for (const auto& column : free.colwise()) {
+      const Eigen::VectorXd strain = column;
+      if (is_slack(joint.spec.law, strain))
+        return fmt::format(
+            "; the curve of the {} of {} is flat at rest and stiff beyond: no path of a mechanism "
+            "leads there",
+            strain_name(strain, joint.spec.kind), joint.name);
+    }
+  }
+  return "";
 }
 
 /// The path of one formulation, point by point.
@@ -73,9 +90,10 @@ class Walk {
   /// Why the path ended early; "" where it did not.
   std::string cause() const {
     const auto& reached = path_.reached();
-    if (!path_.floats().empty()) return path_.floats();
+    if (!path_.floats().empty()) return path_.floats() + play_of(scene_);
     if (path_.held_reached() < 1) return stop_cause();
-    if (path_.is_held_by_nothing()) return "once displaced, a load works on a direction without stiffness";
+    if (path_.is_held_by_nothing())
+      return "once displaced, a load works on a direction without stiffness" + play_of(scene_);
     if (reached.status == Status::inaccurate)
       return fmt::format("accurate to {:.1e} rad or m only, beyond double precision",
                          mechanism::motion_error(path_));

@@ -97,7 +97,7 @@ std::vector<double> scales_of(const System& system, bool per_mass) {
   std::vector<double> out(kPerBody * system.bodies.size() + 2, 1);
   for (std::size_t i = 0; per_mass && i < system.bodies.size(); ++i) {
     const BodyState of{Vec3<double>::Ones(), Vec4::Ones(), Vec3<double>::Constant(system.bodies[i].mass),
-                       Vec3<double>::Constant(system.bodies[i].inertia.maxCoeff())};
+                       Vec3<double>::Constant(largest_entry<double>(system.bodies[i].inertia))};
     pack(of, &out[i * kPerBody]);
   }
   return out;

@@ -45,7 +45,12 @@ std::vector<reference::Curve> mechanism_curves(const reference::MechanismScene& 
 
 void run_mechanism(const RunOptions& options, const reference::MechanismScene& scene) {
   for (const auto& [asked, name] : {std::pair{options.by_arc, "--arc"}, {options.with_rod, "--rod"}})
-    if (asked) throw BadInput(fmt::format("{}: {} is a mechanism; allowed: one joint", name, scene.name));
+    if (asked)
+      throw BadInput(fmt::format("{}: {} is {}; allowed: one joint at rest", name, scene.name,
+                                 scene.time
+                                     ? "a motion, which has no path"
+                                     : "a mechanism, which is followed in load steps; path.critical finds "
+                                       "where its tangent is singular first"));
   const Fit fit = fit_of_mechanism(scene);
   const auto choices = run_choices(scene, fit, options.formulations, options.xis);
   begin_run(options, scene);

@@ -8,6 +8,8 @@ import {linesChart} from './lines.js';
 /** @typedef {import('./run.js').App} App */
 
 const kEnergies = ['kinetic', 'strain', 'dissipated', 'work of the loads'];
+/** Whose looks the lines have: far apart, and the same in every run. */
+const kLooks = ['attached_a', 'invariant', 'potential', 'conformal', 'rod'];
 
 /** @param {number[][]} energies kinetic, strain, dissipated, work @returns {number[]} what appears or is lost */
 export function balanceOf(energies) {
@@ -18,15 +20,17 @@ export function balanceOf(energies) {
 /** Lines of the energies that are there at all, and their balance. @param {App} app */
 function energySeries({chosen}) {
   const {rows, energies = [], converged} = chosen();
-  const columns = [...kEnergies.map((name, k) => ({name, values: energies.map((e) => e[k])}))];
+  const columns = kEnergies.map((name, k) => ({name, look: kLooks[k], values: energies.map((e) => e[k])}));
   const shown = columns.filter(({values}) => values.some((x) => x !== 0));
-  return [...shown, {name: 'balance', values: balanceOf(energies)}].map(({name, values}) => ({
-    ...{key: name, look: seriesLook(name, 0), on: true},
-    curve: /** @type {any} */ ({
-      ...{converged, errors: []},
-      rows: values.map((value, i) => [rows[i][0], value])
+  return [...shown, {name: 'balance', look: kLooks[4], values: balanceOf(energies)}].map(
+    ({name, look, values}) => ({
+      ...{key: name, look: seriesLook(look ?? name, 0), on: true},
+      curve: /** @type {any} */ ({
+        ...{converged, errors: []},
+        rows: values.map((value, i) => [rows[i][0], value])
+      })
     })
-  }));
+  );
 }
 
 /** @param {App} app */

@@ -170,10 +170,10 @@ Measurement roads_apart(const Entry& entry) {
   const reference::Curve curve = reference::solve_motion(scene, {&entry, entry.probe_xi});
   if (!curve.converged) return {std::nan(""), curve.outcome};
   const Road road(scene, entry);
-  const RoadState coarse = road.moved(400), fine = road.moved(800);
+  const RoadState coarse = road.moved(200), fine = road.moved(400);
   Measurement out;
-  const auto compare = [&](double by_solver, double at_800, double at_400, const char* what) {
-    out.include(std::abs(tapped(by_solver) - (16 * at_800 - at_400) / 15), what);
+  const auto compare = [&](double by_solver, double by_fine, double by_coarse, const char* what) {
+    out.include(std::abs(tapped(by_solver) - (16 * by_fine - by_coarse) / 15), what);
   };
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
     const Pose<double>& node = curve.poses.back()[i];
@@ -193,7 +193,7 @@ void motion_road(Checks& checks) {
   add_property(checks, "motion_road", {Kind::linear_angular}, [](const Entry& entry, Kind, Draft f) {
     return f.measured(roads_apart(entry))
         .in("m, rad or J")
-        .at_most(1e-9, "steps of 1/400 and 1/800 of the time, extrapolated: what is left of the fifth order")
+        .at_most(1e-9, "steps of 1/200 and 1/400 of the time, extrapolated: what is left of the fifth order")
         .by(Oracle::independent);
   });
 }
