@@ -2,21 +2,9 @@
 #pragma once
 
 #include "reference/mechanism/model.hpp"
+#include "reference/mechanism/node_load.hpp"
 
 namespace halfway::reference::mechanism {
-
-/// A load of the scene on a body.
-template <class T>
-NodeLoad<T> on_node(const SceneLoad& load) {
-  NodeLoad<T> out;
-  const Vec3<T> value = load.value.cast<T>();
-  out.point = load.point.cast<T>();
-  out.arm = load.arm.cast<T>();
-  Vec3<T>* const places[] = {&out.moment,         &out.follower_moment,        &out.force,
-                             &out.follower_force, &out.semi_tangential_moment, &out.quasi_tangential_moment};
-  *places[int(load.type)] = value;
-  return out;
-}
 
 /// A small vector is a rounding of what was subtracted.
 template <class T>

@@ -3,6 +3,7 @@
 #include "reference/numbers/zeros.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
+#include "reference/scene/joint/free_strains.hpp"
 #include "reference/solve/stop_cause.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,22 @@ double of_modes(const Modes& modes, const std::string& name) {
   return name.starts_with("frequency_") ? modes.frequencies.at(i) : modes.eigenvalues.at(i);
 }
 
+/// What goes on after "a load works on a direction without stiffness" where a curve is flat at rest alone.
+std::string play_of(const MechanismScene& scene) {
+  for (const SceneJoint& joint : scene.joints) {
+    const Eigen::MatrixXd free = free_strains(rest_stiffness(joint.spec.law, joint.spec.kind));
+    for (const auto& column : free.colwise()) {
+      const Eigen::VectorXd strain = column;
+      if (is_slack(joint.spec.law, strain))
+        return fmt::format(
+            "; the curve of the {} of {} is flat at rest and stiff beyond: no path of a mechanism "
+            "leads there",
+            strain_name(strain, joint.spec.kind), joint.name);
+    }
+  }
+  return "";
+}
+
 /// The path of one formulation, point by point.
 class Walk {
  public:
@@ -48,6 +65,13 @@ class Walk {
     auto& poses = curve.poses.emplace_back();
     for (std::size_t i = 0; i < model_.bodies().size(); ++i)
       poses.push_back(mechanism::node_of(model_, path_.reached().state.at, i));
+    auto& reactions = curve.reactions.emplace_back();
+    for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+      const auto of = [&](bool at_a) {
+        return mechanism::reaction(model_, path_.reached().state.at, j, at_a);
+      };
+      reactions.emplace_back() << of(true), of(false);
+    }
     if (modes.growth > 0 && grows_.empty())
       grows_ = fmt::format("; {} at load factor {:.6g}", modes.flutters ? "flutter" : "divergence",
                            path_.reached().factor);
@@ -66,9 +90,10 @@ class Walk {
   /// Why the path ended early; "" where it did not.
   std::string cause() const {
     const auto& reached = path_.reached();
-    if (!path_.floats().empty()) return path_.floats();
+    if (!path_.floats().empty()) return path_.floats() + play_of(scene_);
     if (path_.held_reached() < 1) return stop_cause();
-    if (path_.is_held_by_nothing()) return "once displaced, a load works on a direction without stiffness";
+    if (path_.is_held_by_nothing())
+      return "once displaced, a load works on a direction without stiffness" + play_of(scene_);
     if (reached.status == Status::inaccurate)
       return fmt::format("accurate to {:.1e} rad or m only, beyond double precision",
                          mechanism::motion_error(path_));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <tuple>
 
 namespace halfway::reference {
 namespace {
@@ -13,6 +14,7 @@ constexpr std::size_t kLongest = 100;  // bytes of a unit: brackets inside brack
 constexpr int kHighestPower = 9;
 
 constexpr Dimension kForce{1, 0, 0}, kLength{0, 1, 0}, kAngle{0, 0, 1}, kMoment{1, 1, 0}, kPressure{1, -2, 0};
+constexpr Dimension kTime{0, 0, 0, false, 1}, kMass = kForce * kTime * kTime / kLength;
 
 struct Named {
   std::string_view name;
@@ -50,7 +52,15 @@ constexpr Named kUnits[] = {{"m", "1", kLength},
                             {"Pa", "1", kPressure},
                             {"kPa", "1e3", kPressure},
                             {"MPa", "1e6", kPressure},
-                            {"GPa", "1e9", kPressure}};
+                            {"GPa", "1e9", kPressure},
+                            {"s", "1", kTime},
+                            {"ms", "1e-3", kTime},
+                            {"us", "1e-6", kTime},
+                            {"min", "60", kTime},
+                            {"kg", "1", kMass},
+                            {"g", "1e-3", kMass},
+                            {"t", "1e3", kMass},
+                            {"lb", "0.45359237", kMass}};
 
 Unit of(const Named& unit) {
   Unit out{Real50(unit.factor), unit.dimension};
@@ -62,7 +72,8 @@ Unit of(const Named& unit) {
 Unit product_of(const Unit& a, const Unit& b, bool divides) {
   const Unit out = divides ? Unit{a.factor / b.factor, a.dimension / b.dimension}
                            : Unit{a.factor * b.factor, a.dimension * b.dimension};
-  for (const int power : {out.dimension.force, out.dimension.length, out.dimension.angle}) {
+  for (const int power :
+       {out.dimension.force, out.dimension.length, out.dimension.angle, out.dimension.time}) {
     if (std::abs(power) > kHighestPower)
       throw NoUnit(fmt::format("has a power beyond {}", kHighestPower), "");
   }
@@ -156,7 +167,11 @@ std::string powered(std::string_view name, int power) {
 /// "N m^2" of what has positive powers, where `sign` is 1.
 std::string product_text(const Dimension& d, int sign) {
   std::string out;
-  for (const auto& [name, power] : {std::pair{"N", d.force}, {"m", d.length}, {"rad", d.angle}}) {
+  // A mass or an inertia has the time of a force and no other: then kg, as people write it.
+  const bool in_kg = d.time != 0 && d.time == 2 * d.force;
+  const int length = in_kg ? d.length + d.force : d.length, time = in_kg ? 0 : d.time;
+  for (const auto& [name, power] :
+       {std::pair{in_kg ? "kg" : "N", d.force}, {"m", length}, {"s", time}, {"rad", d.angle}}) {
     const std::string one = powered(name, std::max(0, sign * power));
     out += (out.empty() || one.empty() ? "" : " ") + one;
   }
@@ -166,7 +181,7 @@ std::string product_text(const Dimension& d, int sign) {
 }  // namespace
 
 bool fits(const Dimension& found, const Dimension& needed) {
-  return found.force == needed.force && found.length == needed.length &&
+  return found.force == needed.force && found.length == needed.length && found.time == needed.time &&
          (found.angle == needed.angle || (needed.is_angle_free && found.angle == 0));
 }
 
@@ -192,9 +207,18 @@ std::string example_units(const Dimension& d) {
                                            {kForce / kAngle, "kN, N/deg, N mm/mm"},
                                            {kAngle / kForce, "1/kN, deg/N, mm/(N m)"},
                                            {kLength / kForce, "mm/N, um/kN"},
-                                           {kAngle / kMoment, "deg/(N m), mrad/(kN m)"}};
+                                           {kAngle / kMoment, "deg/(N m), mrad/(kN m)"},
+                                           {kTime, "ms, min"},
+                                           {kMass, "g, t, lb, lbf s^2/in"},
+                                           {kMass * kLength * kLength, "kg mm^2, lb in^2"},
+                                           {kLength / kTime, "mm/s, in/s"},
+                                           {kAngle / kTime, "deg/s, rev/min"},
+                                           {kForce * kTime / kLength, "N s/mm, kg/s, lbf s/in"},
+                                           {kMoment * kTime / kAngle, "N m s/deg, N mm s/rad"}};
   for (const Examples& e : kExamples) {
-    if (e.dimension.force == d.force && e.dimension.length == d.length && e.dimension.angle == d.angle)
+    const Dimension& known = e.dimension;
+    if (std::tie(known.force, known.length, known.angle, known.time) ==
+        std::tie(d.force, d.length, d.angle, d.time))
       return fmt::format("{}, {}", si_unit(d), e.units);
   }
   return si_unit(d);

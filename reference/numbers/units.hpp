@@ -10,17 +10,21 @@
 
 namespace halfway::reference {
 
-/// Powers of N, m and rad: all that a joint, a chain and their loads are given in.
+/// Powers of N, m, rad and s: all that a joint, a chain, their loads and their motion are given in; 1 kg is
+/// 1 N s^2/m.
 struct Dimension {
   int force = 0, length = 0, angle = 0;
   bool is_angle_free = false;  ///< rad may be left out: N/rad and N m/m are one coupling
+  int time = 0;
 
   constexpr bool operator==(const Dimension&) const = default;
   friend constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
-    return {a.force + b.force, a.length + b.length, a.angle + b.angle, a.is_angle_free || b.is_angle_free};
+    return {a.force + b.force, a.length + b.length, a.angle + b.angle, a.is_angle_free || b.is_angle_free,
+            a.time + b.time};
   }
   friend constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
-    return {a.force - b.force, a.length - b.length, a.angle - b.angle, a.is_angle_free || b.is_angle_free};
+    return {a.force - b.force, a.length - b.length, a.angle - b.angle, a.is_angle_free || b.is_angle_free,
+            a.time - b.time};
   }
 };
 

@@ -58,4 +58,6 @@ std::vector<MechanismScene> mechanism_scenes() {
   return scenes_of<MechanismScene>("mechanisms", mechanism_scene);
 }
 
+std::vector<MechanismScene> motion_scenes() { return scenes_of<MechanismScene>("motion", mechanism_scene); }
+
 }  // namespace halfway::reference

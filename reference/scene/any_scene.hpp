@@ -27,6 +27,9 @@ std::vector<ChainScene> chain_scenes();
 /// Those of mechanisms in its folder `mechanisms`, likewise.
 std::vector<MechanismScene> mechanism_scenes();
 
+/// Those in time in its folder `motion`, likewise.
+std::vector<MechanismScene> motion_scenes();
+
 /// Reads a scene and shows what was asked of its file. Throws SceneError.
 void with_questions(const std::filesystem::path& file,
                     const std::function<void(const Document&, const std::vector<Question>&)>& use);

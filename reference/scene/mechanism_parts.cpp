@@ -3,7 +3,9 @@
 #include "reference/scene/joint/names.hpp"
 #include "reference/scene/joint/read_joint.hpp"
 #include "reference/scene/joint/read_law.hpp"
+#include "reference/scene/joint/read_matrix.hpp"
 #include "reference/scene/scene_head.hpp"
+#include "reference/scene/time_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,8 +50,10 @@ bool has_body(const MechanismScene& scene, const std::string& name) {
 
 Mat3<double> read_inertia(const Field& field) {
   const std::string allowed = "3 numbers > 0 (a diagonal) or 3 rows, positive definite, kg m^2";
-  const Mat3<double> J = field.holds_arrays() ? Mat3<double>(field.square_matrix(3, allowed))
-                                              : Mat3<double>(field.vector<3>(allowed).asDiagonal());
+  const MatrixDimensions of{dimension::inertia, dimension::inertia};
+  const Mat3<double> J = field.holds_arrays()
+                             ? Mat3<double>(field.square_matrix(3, allowed, of))
+                             : Mat3<double>(field.vector<3>(allowed, dimension::inertia).asDiagonal());
   const double largest = J.cwiseAbs().maxCoeff();
   if (!((J - J.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * largest))
     field.refuse("is not symmetric", allowed);
@@ -60,14 +64,14 @@ Mat3<double> read_inertia(const Field& field) {
 const Names kFree = {"all", "rotation", "displacement", "none"};
 
 SceneBody read_body(const Field& table, const MechanismScene& scene) {
-  table.has_only({"name", "x", "h", "clamped", "free", "mass", "center", "inertia"});
+  table.has_only({"name", "x", "h", "clamped", "free", "mass", "center", "inertia", "start"});
   SceneBody out;
   out.name = read_name(table.at("name", kNameRule), scene);
   const auto x = table.find("x"), h = table.find("h");
   if (x || h) out.pose.emplace();
   if (x) out.pose->x = x->vector<3>("3 numbers, m, global axes", dimension::length);
   if (h) out.pose->R = read_rotation(*h);
-  if (const auto mass = table.find("mass")) out.mass = mass->positive();
+  if (const auto mass = table.find("mass")) out.mass = mass->positive(dimension::mass);
   if (const auto center = table.find("center"))
     out.center = center->vector<3>("3 numbers, m, axes of the body", dimension::length);
   if (const auto inertia = table.find("inertia")) out.inertia = read_inertia(*inertia);
@@ -102,7 +106,7 @@ std::optional<Kind> read_moves(const std::optional<Field>& table, const Mechanis
 SceneJoint read_scene_joint(const Field& table, MechanismScene& scene) {
   Names keys = kJointKeys;
   keys.insert(keys.end(), kRodKeys.begin(), kRodKeys.end());
-  keys.insert(keys.end(), {"name", "between"});
+  keys.insert(keys.end(), {"name", "between", "damping"});
   table.has_only(keys);
   for (const char* node : {"a", "b"}) {
     if (const auto end = table.find(node)) end->has_only({"o", "h"});
@@ -113,6 +117,12 @@ SceneJoint read_scene_joint(const Field& table, MechanismScene& scene) {
   out.spec = read_joint(table);
   note_free_strains(table.at("law", ""), out.spec);
   out.has_length = read_rod(table, out.spec);
+  if (const auto damping = table.find("damping")) {
+    if (!scene.time)
+      damping->refuse("stands without a table [time]: it acts on what moves", "damping in a scene in time");
+    out.damping = read_damping(*damping, out.spec.kind);
+    if (out.damping.isZero(0)) out.damping.resize(0, 0);
+  }
   const auto between = table.find("between");
   int* const ends[] = {&out.a, &out.b};
   int i = 0;
@@ -207,6 +217,7 @@ BodyLoad read_body_load(const Field& table, const MechanismScene& scene,
                         const std::vector<std::optional<Pose<double>>>& poses) {
   Names keys = kLoadKeys;
   keys.insert(keys.end(), {"body", "factors"});
+  if (scene.time) keys.emplace_back("times");
   table.has_only(keys);
   const auto body = table.find("body");
   const int at = body_of(table, scene);
@@ -216,7 +227,10 @@ BodyLoad read_body_load(const Field& table, const MechanismScene& scene,
   BodyLoad out;
   static_cast<SceneLoad&>(out) = read_scene_load(table, *moves, poses[std::size_t(at)]->R);
   out.body = at;
-  out.factors = read_factors(table, scene);
+  if (scene.time)
+    read_times(table, scene, out);
+  else
+    out.factors = read_factors(table, scene);
   if (out.held && !out.factors.empty())
     table.find("factors")->refuse("stands beside held = true", "one of the two");
   return out;
@@ -252,6 +266,8 @@ void read_bodies_and_joints(const Field& file, MechanismScene& scene) {
     const Field table = body_field(file, body.name);
     const bool is_listed = table.find("name").has_value();
     body.moves = read_moves(is_listed ? std::optional(table) : std::nullopt, scene, int(i));
+    if (const auto start = is_listed ? table.find("start") : std::nullopt)
+      body.start = read_start(*start, scene, body);
     if (!body.moves && !body.pose) body.pose.emplace();
   }
 }
@@ -264,7 +280,7 @@ void read_motions(const Field& file, MechanismScene& scene) {
 }
 
 void read_body_loads(const Field& file, MechanismScene& scene) {
-  if (!file.find("load") && !scene.motions.empty()) return;
+  if (!file.find("load") && (scene.time || !scene.motions.empty())) return;
   const auto poses = initial_poses<double>(scene);
   for (const Field load : loads_of(file)) scene.loads.push_back(read_body_load(load, scene, poses));
 }

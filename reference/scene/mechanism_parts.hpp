@@ -13,7 +13,8 @@ void read_bodies_and_joints(const Field& file, MechanismScene& scene);
 /// [[motion]], in a scene with bodies.
 void read_motions(const Field& file, MechanismScene& scene);
 
-/// [[load]], in a scene with bodies that stand somewhere; none are needed beside motions.
+/// [[load]], in a scene with bodies that stand somewhere; none are needed beside motions or
+/// in time.
 void read_body_loads(const Field& file, MechanismScene& scene);
 
 /// The table [[body]] of that name, or the whole file where the name is used without one.

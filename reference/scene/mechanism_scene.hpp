@@ -15,6 +15,15 @@ namespace halfway::reference {
 /// The body that never moves: the global axes.
 inline constexpr const char* kGround = "ground";
 
+/// Where and how a body begins its motion, global axes; of its node.
+struct SceneStart {
+  Vec3<double> theta = Vec3<double>::Zero();     ///< rotation vector from its pose at rest, rad
+  Vec3<double> u = Vec3<double>::Zero();         ///< displacement from there, m
+  Vec3<double> velocity = Vec3<double>::Zero();  ///< m/s
+  Vec3<double> spin = Vec3<double>::Zero();      ///< rad/s
+  bool is_spin_of_body = false;                  ///< the spin is given in axes of the body
+};
+
 struct SceneBody {
   std::string name;
   std::optional<Pose<double>> pose{};  ///< of its node while nothing is loaded; none: where its joints rest
@@ -23,6 +32,7 @@ struct SceneBody {
   double mass = 0;                              ///< kg; 0: not said
   Vec3<double> center = Vec3<double>::Zero();   ///< of mass, axes of the body, m
   Mat3<double> inertia = Mat3<double>::Zero();  ///< about the centre of mass, axes of the body, kg m^2
+  SceneStart start{};                           ///< of a scene in time
 };
 
 struct SceneJoint {
@@ -30,6 +40,8 @@ struct SceneJoint {
   JointSpec spec;
   bool has_length = false;  ///< does the file say its rod?
   int a = 0, b = 0;         ///< its nodes' bodies, by their place
+  /// Kelvin-Voigt, of the rates of half-way strains whatever the formulation; N s/m, N m s/rad; none: 0 x 0.
+  Eigen::MatrixXd damping{};
 };
 
 /// How a load or a motion grows: with the load factor, or by these multipliers at the end of each step.
@@ -38,6 +50,16 @@ using Factors = std::vector<double>;
 struct BodyLoad : SceneLoad {
   int body = 0;
   Factors factors{};
+  std::vector<double> times{};  ///< of a scene in time: those of the factors, s; straight in between
+};
+
+/// How a scene in time is integrated.
+enum class Integrator { runge_kutta, splitting_2, splitting_4 };
+inline constexpr const char* kIntegrators[] = {"runge_kutta", "splitting_2", "splitting_4"};
+struct SceneTime {
+  Integrator integrator = Integrator::runge_kutta;
+  double tolerance = 1e-9;  ///< of a step of runge_kutta, relative and in SI units
+  double step = 0;          ///< largest of a splitting, s
 };
 
 /// What a body is made to do, from its pose while nothing is loaded.
@@ -55,13 +77,17 @@ struct SceneMotion {
 /// nothing is loaded, global axes; NAME.a.f_x ... NAME.b.m_z, what a joint exerts on the body at either node,
 /// N and N m about the node, global axes; NAME.strain_1 ...; NAME.energy, energy: J; NAME.f_x ... m_z of a
 /// motion: what it exerts on its body; frequency_1 ... (Hz), growth (1/s), eigenvalue_1 ... of the tangent's
-/// symmetric part.
+/// symmetric part. In time besides: NAME.v_x ..., NAME.w_x ..., velocity and spin of a body's node, m/s and
+/// rad/s; NAME.power, what a joint's damper takes, W; kinetic, dissipated, work (of the loads) and balance =
+/// kinetic + energy + dissipated - work since the start, J; p_x ..., L_x ..., momenta of all bodies, the
+/// angular one about the origin, kg m/s and kg m^2/s; none of modes.
 struct MechanismScene : SceneHead {
   std::vector<SceneBody> bodies;  ///< the first is the ground
   std::vector<SceneJoint> joints;
   std::vector<BodyLoad> loads;
   std::vector<SceneMotion> motions;
-  int steps = 0;  ///< of the path: the load factor counts them; 0: none are named
+  int steps = 0;                    ///< of the path: the load factor counts them; 0: none are named
+  std::optional<SceneTime> time{};  ///< the scene is a motion from its start on, and has no path
 };
 
 /// How many unknowns the bodies have; those that are prescribed are among them.

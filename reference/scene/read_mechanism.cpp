@@ -3,6 +3,7 @@
 #include "reference/scene/joint/names.hpp"
 #include "reference/scene/mechanism_parts.hpp"
 #include "reference/scene/scene_head.hpp"
+#include "reference/scene/time_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +41,7 @@ void check_held(const Field& file, const MechanismScene& scene) {
     const bool is_moved = std::ranges::any_of(scene.motions, [&](auto& m) { return m.body == int(i); });
     const SceneBody& body = scene.bodies[i];
     const bool has_joint = std::ranges::any_of(scene.joints, touches);
-    if (!has_joint && body.moves && !is_moved)
+    if (!has_joint && body.moves && !is_moved && !scene.time)
       body_field(file, body.name).refuse("is held by nothing", "a body with a joint, a motion or clamped");
     if (!poses[i])
       body_field(file, body.name)
@@ -76,6 +77,14 @@ std::vector<std::string> default_outputs(const MechanismScene& scene) {
     if (!body.moves) continue;
     append(out, is_b && body.name == "b" ? "" : body.name + ".", motion_names(*body.moves));
   }
+  if (scene.time) append(out, "", {"kinetic", "energy", "dissipated", "work", "balance"});
+  return out;
+}
+
+std::vector<std::string> rate_names(Kind kind) {
+  std::vector<std::string> out;
+  if (kind != Kind::linear) append(out, "w_", {"x", "y", "z"});
+  if (kind != Kind::angular) append(out, "v_", {"x", "y", "z"});
   return out;
 }
 
@@ -83,17 +92,25 @@ std::vector<std::string> all_outputs(const MechanismScene& scene) {
   std::vector<std::string> out;
   for (const SceneBody& body : scene.bodies) {
     if (!body.moves) continue;
-    if (body.name == "b") append(out, "", motion_names(*body.moves));
-    append(out, body.name + ".", motion_names(*body.moves));
+    std::vector<std::string> names = motion_names(*body.moves);
+    if (scene.time) append(names, "", rate_names(*body.moves));
+    if (body.name == "b") append(out, "", names);
+    append(out, body.name + ".", names);
   }
   for (const SceneJoint& joint : scene.joints) {
     append(out, joint.name + ".a.", kLoadNames);
     append(out, joint.name + ".b.", kLoadNames);
     append(out, joint.name + ".", numbered("strain", strain_count(joint.spec.kind)));
     out.push_back(joint.name + ".energy");
+    if (scene.time) out.push_back(joint.name + ".power");
   }
   for (const SceneMotion& motion : scene.motions) append(out, motion.name + ".", kLoadNames);
   out.push_back("energy");
+  if (scene.time) {
+    append(out, "", {"kinetic", "dissipated", "work", "balance"});
+    for (const char* of : {"p_", "L_"}) append(out, of, {"x", "y", "z"});
+    return out;
+  }
   const int free = unknown_count(scene) - prescribed_count(scene);
   append(out, "", numbered("eigenvalue", free));
   append(out, "", numbered("frequency", free));
@@ -108,9 +125,7 @@ void check_masses(const Field& file, const MechanismScene& scene) {
   };
   if (std::ranges::none_of(scene.outputs, needs_masses)) return;
   for (const SceneBody& body : scene.bodies) {
-    if (!body.moves) continue;
-    const bool turns = *body.moves != Kind::linear;
-    if ((body.mass > 0 || *body.moves == Kind::angular) && (!turns || body.inertia.trace() > 0)) continue;
+    if (!lacks_mass(body)) continue;
     file.find("outputs")->refuse(
         fmt::format("asks for motion, and body {} has no mass", body.name),
         fmt::format("mass, kg, and inertia, kg m^2, in the table [[body]] of {}", body.name));
@@ -127,7 +142,8 @@ std::optional<Unfit> unfit(const Entry& entry, const MechanismScene& scene) {
 
 bool is_mechanism(const Field& file) {
   const auto joint = file.find("joint");
-  if ((joint && joint->is_array()) || file.find("body") || file.find("motion")) return true;
+  if ((joint && joint->is_array()) || file.find("body") || file.find("motion") || file.find("time"))
+    return true;
   if (const auto path = file.find("path"); path && (path->find("steps") || path->find("critical")))
     return true;
   if (const auto loads = file.find("load"); loads && loads->is_array()) {
@@ -171,21 +187,23 @@ int prescribed_count(const MechanismScene& scene) {
 
 MechanismScene mechanism_scene(const Field& file, const std::filesystem::path& path) {
   Names keys = kHeadKeys;
-  keys.insert(keys.end(), {"joint", "load", "body", "motion"});
+  keys.insert(keys.end(), {"joint", "load", "body", "motion", "time"});
   file.has_only(keys);
   MechanismScene scene;
   read_title(file, path, scene);
+  read_time(file, scene);
   read_bodies_and_joints(file, scene);
   if (scene.bodies.size() > kMostBodies + 1)
     file.find("body")->refuse(fmt::format("has {} bodies", scene.bodies.size() - 1),
                               fmt::format("{} at most", kMostBodies));
-  read_steps(file.at("path", "a table [path]"), scene);
+  if (!scene.time) read_steps(file.at("path", "a table [path], or [time]"), scene);
   read_motions(file, scene);
   check_held(file, scene);
   read_body_loads(file, scene);
   scene.outputs = default_outputs(scene);
   if (file.find("outputs")) read_outputs(file, all_outputs(scene), scene);
   check_masses(file, scene);
+  check_time(file, scene);
   read_formulations(
       file, {}, [&](const Entry& entry) { return unfit(entry, scene); }, scene);
   read_references(file, {}, scene);

@@ -52,8 +52,8 @@ struct SceneReference {
   double xi = 0.5;  ///< of a formulation that has one
 };
 
-/// rad, m, N, N m, J, Hz or 1/s: the unit of an output of any scene; "" where it depends on more than its
-/// name.
+/// rad, m, N, N m, J, Hz, 1/s, m/s, rad/s, W, kg m/s or kg m^2/s: the unit of an output of any scene; ""
+/// where it depends on more than its name.
 std::string_view unit_of_output(std::string_view output);
 
 /// critical_factor is the first load factor up to factor_end at which the tangent is singular, of scenes that
@@ -69,7 +69,8 @@ struct SceneHead {
   std::string title;
   std::string description;
   std::string source;
-  double factor_end = 1;             ///< the load factor runs from 0 to here
+  bool is_in_time = false;           ///< what runs is the time, s, and no load factor
+  double factor_end = 1;             ///< the load factor, or the time, runs from 0 to here
   int points = 20;                   ///< output points of the curve
   bool asks_critical = false;        ///< for the first load factor of a singular tangent, critical_factor
   int critical_axis = 0;             ///< joint axis 1, 2, 3 about which critical_* are asked; 0: not asked
@@ -79,6 +80,9 @@ struct SceneHead {
   std::vector<SceneReference> references;
   std::vector<std::string> notes;  ///< what the file says otherwise than it was taken: a frame normalised
 };
+
+/// What the curves of a scene run over, in words: "load factor" or "time".
+inline const char* runs_over(const SceneHead& scene) { return scene.is_in_time ? "time" : "load factor"; }
 
 /// A joint between a clamped node and a loaded one; outputs theta_x ... u_z.
 struct Scene : SceneHead {

@@ -42,6 +42,9 @@ struct Shared {
   bool has_factor = false;
 };
 
+/// Where on the curve a value is.
+const char* key_of_place(const SceneHead& scene) { return scene.is_in_time ? "time" : "factor"; }
+
 Shared read_shared(const Field& set, const SceneHead& scene) {
   Shared shared;
   SceneReference& r = shared.reference;
@@ -56,12 +59,13 @@ Shared read_shared(const Field& set, const SceneHead& scene) {
   if (shared.by_digits && set.find("absolute")) {
     set.find("absolute")->refuse("stands beside tolerance = \"digits\"", "one of the two");
   }
-  if (const auto factor = set.find("factor")) {
+  if (const auto factor = set.find(key_of_place(scene))) {
     shared.has_factor = true;
-    r.factor = factor->positive();
+    r.factor = factor->positive(scene.is_in_time ? dimension::time : dimension::none);
     if (r.factor > scene.factor_end) {
-      factor->refuse("is beyond the path",
-                     fmt::format("0 < factor <= path.factor_end = {}", scene.factor_end));
+      factor->refuse(scene.is_in_time ? "is beyond the motion" : "is beyond the path",
+                     fmt::format("0 < {} <= {} = {}", key_of_place(scene),
+                                 scene.is_in_time ? "time.duration" : "path.factor_end", scene.factor_end));
     }
   }
   return shared;
@@ -113,7 +117,8 @@ void check_output(const Field& value, const std::string& output, bool has_factor
   if (is_critical(output) && has_factor)
     value.refuse("stands beside a factor", "critical values without factor");
   if (!is_critical(output) && !has_factor)
-    value.refuse("has no factor", "the load factor as `factor` beside values");
+    value.refuse(fmt::format("has no {}", key_of_place(scene)),
+                 fmt::format("the {} as `{}` beside values", runs_over(scene), key_of_place(scene)));
 }
 
 SceneReference read_value(const Field& field, const std::string& output, const Shared& shared) {
@@ -139,7 +144,7 @@ SceneReference read_value(const Field& field, const std::string& output, const S
 
 std::vector<SceneReference> read_reference_set(const Field& set, const SceneHead& scene,
                                                std::string_view truth) {
-  set.has_only({"source", "oracle", "tolerance", "absolute", "reason", "factor", "xi", "values"});
+  set.has_only({"source", "oracle", "tolerance", "absolute", "reason", key_of_place(scene), "xi", "values"});
   Shared shared = read_shared(set, scene);
   shared.reference.xi = read_xi(set, scene);
   const Field values = set.at("values", "a table formulation = { output = \"digits\" }");

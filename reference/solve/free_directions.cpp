@@ -168,6 +168,11 @@ std::optional<std::string> works_on_free_direction(const Scene& scene) {
   for (const auto& [what, load] : all) {
     for (const auto& strain : free.still) {
       if (!works(load, strain, free.units)) continue;
+      if (is_slack(scene.joint.law, strain))
+        return fmt::format(
+            "{} works on the {}, whose curve is flat at rest and stiff beyond: no path leads there "
+            "from rest; one does with a load that grows in its place",
+            what, strain_name(strain, scene.joint.kind));
       return fmt::format("{} works on a direction without stiffness, free: {}; nothing balances it there",
                          what, strain_name(strain, scene.joint.kind));
     }

@@ -121,7 +121,7 @@ Curve empty_curve(const SceneHead& scene, const Choice& choice) {
   curve.scene = scene.name;
   curve.formulation = choice.entry ? choice.entry->name : kLinearized;
   curve.xi = choice.xi;
-  curve.columns = {"factor"};
+  curve.columns = {scene.is_in_time ? "time" : "factor"};
   curve.columns.insert(curve.columns.end(), scene.outputs.begin(), scene.outputs.end());
   return curve;
 }

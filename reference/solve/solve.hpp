@@ -5,6 +5,7 @@
 #include "reference/scene/scene.hpp"
 #include "reference/solve/buckling.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,7 +18,7 @@ struct Curve {
   std::string scene;
   std::string formulation;
   double xi = 0.5;
-  std::vector<std::string> columns;       ///< "factor", then the scene's outputs
+  std::vector<std::string> columns;       ///< "factor" or "time", then the scene's outputs
   std::vector<std::vector<double>> rows;  ///< of equilibria, the last where the path stopped; NaN never
   std::vector<double> errors;             ///< estimated, of each row's worst output, rad or m
   bool converged = false;                 ///< up to the scene's last load factor
@@ -29,6 +30,11 @@ struct Curve {
   std::optional<Buckling> critical{};     ///< about Scene::critical_axis, see critical_state
   /// At each row the poses of the loaded node, node a at the identity; of a mechanism's bodies, global axes.
   std::vector<std::vector<Pose<double>>> poses{};
+  /// Of a mechanism, at each row and joint: what it exerts on the bodies, (f_a, m_a, f_b, m_b), moments about
+  /// the nodes, global axes, N and N m.
+  std::vector<std::vector<Eigen::Matrix<double, 12, 1>>> reactions{};
+  /// Of a motion, at each row, J: kinetic, strain, dissipated by dampers, work of the loads.
+  std::vector<std::array<double, 4>> energies{};
 };
 
 /// A formulation and its xi, where it has one; no entry stands for kLinearized.

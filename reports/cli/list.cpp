@@ -80,6 +80,8 @@ void add_list(CLI::App& app) {
     list_scenes("Scenes", reference::scenes_folder(), reference::canonical_scenes());
     if (const auto mechanisms = reference::mechanism_scenes(); !mechanisms.empty())
       list_scenes("Mechanisms", reference::scenes_folder() / "mechanisms", mechanisms);
+    if (const auto motions = reference::motion_scenes(); !motions.empty())
+      list_scenes("Scenes in time", reference::scenes_folder() / "motion", motions);
     if (const auto chains = reference::chain_scenes(); !chains.empty())
       list_scenes("Scenes of chains", reference::scenes_folder() / "chains", chains);
     list_programs();

@@ -195,7 +195,7 @@ class Writer {
 
 Json scene_schema(std::vector<std::string>& unseen) {
   std::vector<std::filesystem::path> folders = {reference::scenes_folder()};
-  for (const char* name : {"chains", "mechanisms", "seen", "words"})
+  for (const char* name : {"chains", "mechanisms", "motion", "seen", "words"})
     folders.push_back(folders.front() / name);
   Place root;
   for (const auto& folder : folders) {

@@ -38,6 +38,7 @@ export interface RunScene {
 export interface RunPath {
   factor_end: number;
   points: number;
+  over?: "time";
 }
 
 export interface RunOutput {
@@ -56,6 +57,8 @@ export interface RunCurve {
   critical_moment?: number;
   poses: Array<Array<Array<number>>>;
   holding: Array<Array<Array<number>>>;
+  reactions?: Array<Array<Array<Array<number>>>>;
+  energies?: Array<Array<number>>;
 }
 
 export interface RunLeftOut {
@@ -95,6 +98,7 @@ export interface RunJoint {
   law: RunLaw;
   a: RunEnd;
   b: RunEnd;
+  damping?: Array<Array<number>>;
 }
 
 export interface RunLaw {
@@ -128,4 +132,6 @@ export interface RunLoad {
   value: Array<number>;
   point: Array<number>;
   held?: boolean;
+  times?: Array<number>;
+  factors?: Array<number>;
 }

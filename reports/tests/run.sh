@@ -95,6 +95,32 @@ grep -q 'a load works on a direction without stiffness, .* of body' "$folder/out
 run four_bar --arc && fail "--arc of a mechanism is not refused"
 grep -q -- '--arc' "$folder/err" || fail "the refusal of a mechanism does not name --arc"
 
+# A motion: a mass on a spring and a damper, in closed form; who makes energy; what a motion cannot say, by name.
+run damped_oscillator --formulation invariant,fasse || fail "damped_oscillator exits with $?"
+holds "$folder/damped_oscillator/curve.csv" invariant v_x 0.0050037381384377078986 1e-9
+grep -q '^formulation,xi,time,u_x,' "$folder/damped_oscillator/curve.csv" || fail "the column of a motion is not the time"
+grep -q 'dampers take 0.009975 J' "$folder/out" || fail "it is not said what the dampers take"
+"$program" run free_pair --formulation potential,attached_b --out "$folder" > "$folder/out" 2>&1 || fail "free_pair exits with $?"
+grep -q '^  without a potential the law itself makes or loses .*attached_b$' "$folder/out" || fail "nobody makes energy"
+grep -q '^Time 3 s: reached by 2 of 2' "$folder/out" || fail "the summary of a motion does not say the time"
+grep -q '"over":"time"' "$folder/free_pair/index.html" || fail "the page of a motion is of a load factor"
+grep -q 'time (s)' "$folder/free_pair/curve.svg" || fail "the chart of a motion is of a load factor"
+run damped_oscillator --arc && fail "--arc of a motion is not refused"
+
+# By arc length to a corner of a curve: that is the cause, and load steps go on.
+printf '%s\n' 'title = "corner"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "per_axis"' '[[joint.law.axis]]' 'k1 = 10' \
+  '[[joint.law.axis]]' 'k1 = 12' '[[joint.law.axis]]' 'x = [-1, -0.1, 0, 0.1, 1]' 'y = [-9, -0.1, 0, 0.1, 9]' '[[load]]' \
+  'type = "fixed_moment"' 'value = [1, 0.5, 2]' '[path]' 'factor_end = 1' > "$folder/corner.toml"
+run "$folder/corner.toml" --formulation invariant,conformal --arc && fail "--arc goes through a corner"
+grep -q 'the curve of the rotation about joint axis 3 has a corner at 0.1' "$folder/out" || fail "the corner is not named"
+run "$folder/corner.toml" --formulation invariant,conformal || fail "load steps end at a corner with $?"
+
+# A preload on a curve that is flat at rest: it is said what leads there.
+printf '%s\n' 'title = "play"' '[joint]' 'kind = "angular"' '[joint.law]' 'type = "polynomial"' 'preload = [0, 0, 1]' \
+  'k1 = [1, 1, 0]' 'k3 = [0, 0, 1]' '[[load]]' 'type = "fixed_moment"' 'value = [1, 0, 0]' '[path]' 'factor_end = 1' > "$folder/play.toml"
+run "$folder/play.toml" && fail "a preload on a curve without slope is solved"
+grep -q 'rotation about joint axis 3, whose curve is flat at rest' "$folder/err" || fail "play is not named"
+
 # The run ends with who agrees, and why paths end: causes in words, the same for those that share one.
 says() { grep -q -- "$1" "$folder/out" || fail "the summary does not say: $1"; }
 run c3_buckling || fail "c3_buckling exits with $?"

@@ -57,6 +57,26 @@ bool is_slack(const LawSpec& law, const Eigen::VectorXd& free_strain) {
   return visit_unshifted(HasStiffness{free_strain}, law);
 }
 
+std::optional<Corner> corner_near(const LawSpec& law, const Eigen::VectorXd& strain) {
+  constexpr double kNear = 0.01;
+  const auto* shifted = std::get_if<ShiftedSpec>(&law);
+  const auto* curves = std::get_if<PerAxisSpec>(&law);
+  if (shifted) curves = std::get_if<PerAxisSpec>(&shifted->law);
+  for (Eigen::Index i = 0; curves && i < strain.size(); ++i) {
+    const PiecewisePolynomial& curve = (*curves->axes)[std::size_t(i)];
+    const double own = strain[i] - (shifted ? shifted->offset[i] : 0);
+    for (std::size_t k = 0; k < curve.knots.size(); ++k) {
+      const double knot = curve.knots[k];
+      const double below = curve.on_piece(k, knot).slope, above = curve.on_piece(k + 1, knot).slope;
+      const bool is_corner = std::abs(above - below) > 1e-9 * (std::abs(above) + std::abs(below));
+      const double size = std::abs(curve.knots.back()) + std::abs(curve.knots.front());
+      if (is_corner && std::abs(own - knot) <= kNear * (std::abs(knot) > 0 ? std::abs(knot) : size))
+        return Corner{i, knot};
+    }
+  }
+  return std::nullopt;
+}
+
 Eigen::VectorXd strain_units(const Eigen::MatrixXd& K) {
   Eigen::VectorXd out(K.rows());
   for (Eigen::Index i = 0; i < K.rows(); i += 3) {

@@ -38,9 +38,24 @@ PolynomialSpec read_polynomial(const Field& law, Kind kind) {
   return spec;
 }
 
+/// What other programs and people call a law, and what it is here.
+constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
+    {"table", "per_axis"},    {"tables", "per_axis"},    {"tabular", "per_axis"}, {"curve", "per_axis"},
+    {"curves", "per_axis"},   {"spline", "per_axis"},    {"akima", "per_axis"},   {"piecewise", "per_axis"},
+    {"bilinear", "per_axis"}, {"nonlinear", "per_axis"}, {"cubic", "polynomial"}, {"stiffness", "linear"},
+    {"compliance", "linear"}, {"matrix", "linear"},      {"constant", "linear"},  {"K", "linear"}};
+
+std::string read_type(const Field& type) {
+  for (const auto& [word, here] : kOtherWords) {
+    if (type.says(word))
+      type.refuse(fmt::format("is not a known name (did you mean '{}'?)", here),
+                  "linear, polynomial, per_axis", "unknown_law");
+  }
+  return type.one_of({"linear", "polynomial", "per_axis"}, "unknown_law");
+}
+
 PlainLawSpec read_plain(const Field& law, Kind kind) {
-  const std::string type = law.at("type", "linear, polynomial, per_axis")
-                               .one_of({"linear", "polynomial", "per_axis"}, "unknown_law");
+  const std::string type = read_type(law.at("type", "linear, polynomial, per_axis"));
   if (type == "linear") {
     law.has_only(kLinearKeys);
     return read_linear(law, kind);

@@ -58,8 +58,9 @@ Eigen::MatrixXd symmetric_part(const Field& field, const Eigen::MatrixXd& m, dou
 }
 
 /// A direction without stiffness is a hinge or a slide: allowed.
-void check_semidefinite(const Field& field, const Eigen::MatrixXd& m) {
-  const std::string allowed = "a positive semidefinite matrix: zero stiffness is allowed, negative is not";
+void check_semidefinite(const Field& field, const Eigen::MatrixXd& m, const char* what) {
+  const std::string allowed =
+      fmt::format("a positive semidefinite matrix: zero {} is allowed, negative is not", what);
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     // Alone in its row it is no rounding of larger entries.
     if (m(i, i) < 0 && m.row(i).cwiseAbs().sum() == -m(i, i))
@@ -132,24 +133,37 @@ void turn(Eigen::MatrixXd& m, const Axes& axes) {
   m = Eigen::MatrixXd((m + m.transpose()) / 2);
 }
 
+/// n numbers or n rows of n.
+Eigen::MatrixXd read_entries(const Field& field, int n, const MatrixDimensions& entries, double tolerance) {
+  const std::string allowed =
+      fmt::format("{0} numbers (a diagonal) or {0} rows of {0}, translation first", n);
+  if (field.holds_arrays()) return symmetric_part(field, field.square_matrix(n, allowed, entries), tolerance);
+  return field.vector(n, allowed, diagonal(entries)).asDiagonal();
+}
+
 }  // namespace
 
 LinearSpec read_linear(const Field& law, Kind kind) {
   const int n = strain_count(kind);
   const Field field = matrix_field(law);
-  const std::string allowed =
-      fmt::format("{0} numbers (a diagonal) or {0} rows of {0}, translation first", n);
   LinearSpec spec;
   spec.is_compliance = law.find("compliance").has_value();
   const Dimensions strain = strain_dimensions(kind), stress = stress_dimensions(kind);
   const MatrixDimensions entries = spec.is_compliance ? ratio(strain, stress) : ratio(stress, strain);
   const double tolerance = read_tolerance(law, field);
-  spec.matrix = field.holds_arrays()
-                    ? symmetric_part(field, field.square_matrix(n, allowed, entries), tolerance)
-                    : Eigen::MatrixXd(field.vector(n, allowed, diagonal(entries)).asDiagonal());
-  spec.is_compliance ? check_definite(field, spec.matrix) : check_semidefinite(field, spec.matrix);
+  spec.matrix = read_entries(field, n, entries, tolerance);
+  spec.is_compliance ? check_definite(field, spec.matrix)
+                     : check_semidefinite(field, spec.matrix, "stiffness");
   turn(spec.matrix, read_axes(law, kind));
   return spec;
+}
+
+Eigen::MatrixXd read_damping(const Field& field, Kind kind) {
+  const MatrixDimensions entries =
+      times(ratio(stress_dimensions(kind), strain_dimensions(kind)), dimension::time);
+  Eigen::MatrixXd out = read_entries(field, strain_count(kind), entries, kRounding);
+  check_semidefinite(field, out, "damping");
+  return out;
 }
 
 Field matrix_field(const Field& law) {

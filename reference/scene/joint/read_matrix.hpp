@@ -19,6 +19,10 @@ inline const Names kLinearKeys = {
 /// that rotation. Throws Refusal [not_symmetric, indefinite_stiffness, named_twice].
 LinearSpec read_linear(const Field& law, Kind kind);
 
+/// n numbers (a diagonal) or n rows, symmetric to 1e-12, of a damper: positive semidefinite; N s/m, N m
+/// s/rad. Throws Refusal.
+Eigen::MatrixXd read_damping(const Field& field, Kind kind);
+
 /// The field of a linear law's matrix, by whichever word it has. Throws Refusal [missing_key, named_twice].
 Field matrix_field(const Field& law);
 

@@ -8,6 +8,8 @@ namespace halfway::reference {
 
 namespace dimension {
 inline constexpr Dimension none{}, force{1, 0, 0}, length{0, 1, 0}, angle{0, 0, 1}, moment{1, 1, 0};
+inline constexpr Dimension time{0, 0, 0, false, 1}, mass = force * time * time / length,
+                                                    inertia = mass * length * length;
 }  // namespace dimension
 
 /// Of a list: its first three entries and those that follow, where they differ.
@@ -53,6 +55,11 @@ constexpr Dimensions over_power(const Dimensions& a, const Dimensions& b, int po
   Dimensions out = a;
   for (int i = 0; i < power; ++i) out = {out.head / b.head, out.tail / b.tail};
   return out;
+}
+
+/// Of each entry times b.
+constexpr MatrixDimensions times(const MatrixDimensions& m, const Dimension& b) {
+  return {{m.head.head * b, m.head.tail * b}, {m.tail.head * b, m.tail.tail * b}};
 }
 
 constexpr Dimensions diagonal(const MatrixDimensions& m) { return {m.head.head, m.tail.tail}; }

@@ -43,6 +43,13 @@ struct System {
   std::function<void(const State&, Loads&)> loads;    ///< sets all of them
   std::function<double(const State&)> strain_energy;  ///< J
   std::function<double(const State&)> dissipation{};  ///< W, what a damper takes out; empty: none
+  /// Sets (f, m) of each body that act on it from outside at a time, s, as `loads`; empty: none.
+  std::function<void(double, const State&, Loads&)> drive{};
+};
+
+/// How far a motion is, s, and what System::drive has worked until then, J.
+struct Driven {
+  double time = 0, work = 0;
 };
 
 /// Bodies on joints of a formulation: its loads by the kernel where it has one, its law's own strain energy

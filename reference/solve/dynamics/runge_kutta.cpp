@@ -17,7 +17,7 @@ struct Problem {
   const System& system;
   long evaluations = 0;
   State state = State(system.bodies.size());  ///< at which the rates are asked for
-  Loads loads{};
+  Loads loads{}, drive{};
 };
 
 void unpack(const double* y, State& state) {
@@ -43,23 +43,34 @@ Vec4 quaternion_rate(const Vec3<double>& w, const Vec4& q) {
   return out;
 }
 
-int rates(double, const double y[], double dydt[], void* parameter) {
+int rates(double t, const double y[], double dydt[], void* parameter) {
   auto& problem = *static_cast<Problem*>(parameter);
   State& state = problem.state;
   unpack(y, state);
-  problem.system.loads(state, problem.loads);
+  const System& system = problem.system;
+  system.loads(state, problem.loads);
+  if (system.drive) system.drive(t, state, problem.drive);
   ++problem.evaluations;
   if (!problem.loads.allFinite()) return GSL_EBADFUNC;
+  double work = 0;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Body& body = problem.system.bodies[i];
-    BodyState rate{velocity(body, state[i]), quaternion_rate(spin(body, state[i]), state[i].q)};
+    const Body& body = system.bodies[i];
+    const Vec3<double> v = velocity(body, state[i]), w = spin(body, state[i]);
+    BodyState rate{v, quaternion_rate(w, state[i].q)};
+    const long at = 6 * long(i);
     if (!body.clamped) {
-      rate.p = -problem.loads.segment<3>(6 * long(i));
-      rate.L = -problem.loads.segment<3>(6 * long(i) + 3);
+      rate.p = -problem.loads.segment<3>(at);
+      rate.L = -problem.loads.segment<3>(at + 3);
+    }
+    if (!body.clamped && system.drive) {
+      rate.p += problem.drive.segment<3>(at);
+      rate.L += problem.drive.segment<3>(at + 3);
+      work += problem.drive.segment<3>(at).dot(v) + problem.drive.segment<3>(at + 3).dot(w);
     }
     pack(rate, dydt + i * kPerBody);
   }
-  dydt[kPerBody * state.size()] = problem.system.dissipation ? problem.system.dissipation(state) : 0;
+  dydt[kPerBody * state.size()] = system.dissipation ? system.dissipation(state) : 0;
+  dydt[kPerBody * state.size() + 1] = work;
   return GSL_SUCCESS;
 }
 
@@ -81,35 +92,71 @@ struct Free {
   void operator()(gsl_odeiv2_evolve* p) const { gsl_odeiv2_evolve_free(p); }
 };
 
+/// What absolute tolerances are multiplied with.
+std::vector<double> scales_of(const System& system, bool per_mass) {
+  std::vector<double> out(kPerBody * system.bodies.size() + 2, 1);
+  for (std::size_t i = 0; per_mass && i < system.bodies.size(); ++i) {
+    const BodyState of{Vec3<double>::Ones(), Vec4::Ones(), Vec3<double>::Constant(system.bodies[i].mass),
+                       Vec3<double>::Constant(largest_entry<double>(system.bodies[i].inertia))};
+    pack(of, &out[i * kPerBody]);
+  }
+  return out;
+}
+
+constexpr long kMostSteps = 4'000'000;  // an hour's worth: a run that needs more has a named end
+
 }  // namespace
 
-RungeKuttaResult runge_kutta(const System& system, const State& start, double duration, double tolerance) {
-  constexpr long kMostSteps = 4'000'000;  // an hour's worth: a run that needs more has a named end
-  Problem problem{system};
-  const std::size_t bodies = start.size(), count = kPerBody * bodies + 1;
+struct RungeKutta::Parts {
+  Problem problem;
+  std::size_t bodies = problem.system.bodies.size(), count = kPerBody * bodies + 2;
   gsl_odeiv2_system equations{rates, nullptr, count, &problem};
-  const std::unique_ptr<gsl_odeiv2_step, Free> step(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, count));
-  const std::unique_ptr<gsl_odeiv2_control, Free> control(gsl_odeiv2_control_y_new(tolerance, tolerance));
-  const std::unique_ptr<gsl_odeiv2_evolve, Free> evolve(gsl_odeiv2_evolve_alloc(count));
-  std::vector<double> y(count);
-  for (std::size_t i = 0; i < bodies; ++i) pack(start[i], &y[i * kPerBody]);
-  RungeKuttaResult out;
-  double t = 0, h = duration / 100;
-  for (long n = 0; t < duration; ++n) {
-    const int status = n < kMostSteps ? gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(),
-                                                                &equations, &t, duration, &h, y.data())
-                                      : GSL_EMAXITER;
-    if (status != GSL_SUCCESS) {
-      out.failure = gsl_strerror(status);
-      break;
-    }
-    keep_largest(out.norm_drift, normalise(bodies, y.data()));
+  std::unique_ptr<gsl_odeiv2_step, Free> step{gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, count)};
+  std::unique_ptr<gsl_odeiv2_control, Free> control;
+  std::unique_ptr<gsl_odeiv2_evolve, Free> evolve{gsl_odeiv2_evolve_alloc(count)};
+  std::vector<double> y = std::vector<double>(count);
+  double t = 0, h = 0, norm_drift = 0;
+  long steps = 0;
+
+  Parts(const System& system, const State& start, double tolerance, const std::vector<double>& scales)
+      : problem{system},
+        control(gsl_odeiv2_control_scaled_new(tolerance, tolerance, 1, 0, scales.data(), scales.size())) {
+    for (std::size_t i = 0; i < bodies; ++i) pack(start[i], &y[i * kPerBody]);
   }
-  out.state.resize(bodies);
-  unpack(y.data(), out.state);
-  out.dissipated = y.back();
-  out.evaluations = problem.evaluations;
+};
+
+RungeKutta::RungeKutta(const System& system, const State& start, double tolerance, bool per_mass)
+    : parts_(std::make_unique<Parts>(system, start, tolerance, scales_of(system, per_mass))) {}
+RungeKutta::~RungeKutta() = default;
+
+std::string RungeKutta::advance(double time) {
+  Parts& p = *parts_;
+  if (p.h == 0) p.h = time / 100;
+  while (p.t < time) {
+    const int status = p.steps++ < kMostSteps
+                           ? gsl_odeiv2_evolve_apply(p.evolve.get(), p.control.get(), p.step.get(),
+                                                     &p.equations, &p.t, time, &p.h, p.y.data())
+                           : GSL_EMAXITER;
+    if (status != GSL_SUCCESS) return gsl_strerror(status);
+    keep_largest(p.norm_drift, normalise(p.bodies, p.y.data()));
+  }
+  return "";
+}
+
+State RungeKutta::state() const {
+  State out(parts_->bodies);
+  unpack(parts_->y.data(), out);
   return out;
+}
+double RungeKutta::dissipated() const { return parts_->y[parts_->count - 2]; }
+Driven RungeKutta::driven() const { return {parts_->t, parts_->y.back()}; }
+double RungeKutta::norm_drift() const { return parts_->norm_drift; }
+long RungeKutta::evaluations() const { return parts_->problem.evaluations; }
+
+RungeKuttaResult runge_kutta(const System& system, const State& start, double duration, double tolerance) {
+  RungeKutta motion(system, start, tolerance);
+  const std::string failure = motion.advance(duration);
+  return {motion.state(), motion.dissipated(), motion.norm_drift(), motion.evaluations(), failure};
 }
 
 }  // namespace halfway::reference::dynamics

@@ -5,13 +5,34 @@
 namespace halfway::reference::dynamics {
 namespace {
 
-/// @param q  room for the loads
-void kick(const System& system, double h, State& state, Loads& q) {
-  system.loads(state, q);
+/// Room for loads, and how far the motion is.
+struct Kicks {
+  Driven& driven;
+  Loads inside{}, outside{};
+};
+
+/// Work of the drive while all loads change the momenta at fixed poses: they are linear there, so that the
+/// velocities half-way make it exact.
+double work_of(const Body& body, const BodyState& before, const BodyState& after, double h, const Loads& load,
+               long at) {
+  const BodyState middle{before.x, before.q, (before.p + after.p) / 2, (before.L + after.L) / 2};
+  return h *
+         (load.segment<3>(at).dot(velocity(body, middle)) + load.segment<3>(at + 3).dot(spin(body, middle)));
+}
+
+void kick(const System& system, double h, State& state, Kicks& kicks) {
+  system.loads(state, kicks.inside);
+  if (system.drive) system.drive(kicks.driven.time, state, kicks.outside);
   for (std::size_t i = 0; i < state.size(); ++i) {
     if (system.bodies[i].clamped) continue;
-    state[i].p -= h * q.segment<3>(6 * long(i));
-    state[i].L -= h * q.segment<3>(6 * long(i) + 3);
+    const long at = 6 * long(i);
+    const BodyState before = state[i];
+    state[i].p -= h * kicks.inside.segment<3>(at);
+    state[i].L -= h * kicks.inside.segment<3>(at + 3);
+    if (!system.drive) continue;
+    state[i].p += h * kicks.outside.segment<3>(at);
+    state[i].L += h * kicks.outside.segment<3>(at + 3);
+    kicks.driven.work += work_of(system.bodies[i], before, state[i], h, kicks.outside, at);
   }
 }
 
@@ -47,28 +68,29 @@ void drift(const Body& body, double h, BodyState& s) {
 }
 
 /// Drift between two half kicks; the last half kick of one step and the first of the next are one.
-void drift_kick(const System& system, double drift_time, double kick_time, State& state, Loads& q) {
+void drift_kick(const System& system, double drift_time, double kick_time, State& state, Kicks& kicks) {
   for (std::size_t i = 0; i < state.size(); ++i) drift(system.bodies[i], drift_time, state[i]);
-  kick(system, kick_time, state, q);
+  kicks.driven.time += drift_time;
+  kick(system, kick_time, state, kicks);
 }
 
 }  // namespace
 
-void advance(const System& system, Order order, double h, long steps, State& state) {
+void advance(const System& system, Order order, double h, long steps, State& state, Driven& driven) {
   if (steps <= 0) return;
   // Yoshida: three symmetric steps of w1, w0, w1 cancel the third-order error of one.
   const double w1 = 1 / (2 - std::cbrt(2.0)), w0 = 1 - 2 * w1;
   const double first = order == Order::two ? h / 2 : w1 * h / 2;
-  Loads q;
-  kick(system, first, state, q);
+  Kicks kicks{driven};
+  kick(system, first, state, kicks);
   for (long n = 1; n <= steps; ++n) {
     const double last = n == steps ? first : 2 * first;
     if (order == Order::two) {
-      drift_kick(system, h, last, state, q);
+      drift_kick(system, h, last, state, kicks);
     } else {
-      drift_kick(system, w1 * h, (w1 + w0) * h / 2, state, q);
-      drift_kick(system, w0 * h, (w1 + w0) * h / 2, state, q);
-      drift_kick(system, w1 * h, last, state, q);
+      drift_kick(system, w1 * h, (w1 + w0) * h / 2, state, kicks);
+      drift_kick(system, w0 * h, (w1 + w0) * h / 2, state, kicks);
+      drift_kick(system, w1 * h, last, state, kicks);
     }
   }
 }

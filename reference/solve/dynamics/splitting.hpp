@@ -14,7 +14,13 @@ namespace halfway::reference::dynamics {
 enum class Order { two, four };
 
 /// `steps` steps of size h (s), negative: back in time. System::dissipation is ignored: the loads must depend
-/// on the poses alone.
-void advance(const System& system, Order order, double h, long steps, State& state);
+/// on the poses alone, those of System::drive on the time besides. Its work is that of each kick, exactly.
+void advance(const System& system, Order order, double h, long steps, State& state, Driven& driven);
+
+/// The same from time 0, of a system that nothing drives or of whose work nobody asks.
+inline void advance(const System& system, Order order, double h, long steps, State& state) {
+  Driven from_start;
+  advance(system, order, h, steps, state, from_start);
+}
 
 }  // namespace halfway::reference::dynamics

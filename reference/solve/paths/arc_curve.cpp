@@ -4,6 +4,7 @@
 
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
+#include "reference/scene/joint/free_strains.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/LU>
@@ -45,6 +46,23 @@ double error_of(const EquilibriumProblem<double>& problem, const ArcState<double
   return largest;
 }
 
+/// Of a path that ends where it looks as if it changed to another one: a corner of the law's curves, or "".
+std::string corner_at_end(const EquilibriumPath& path, const Continuation& continuation, const Scene& scene,
+                          const Choice& choice) {
+  const bool may_be = path.end == PathEnd::jump_not_excluded || path.end == PathEnd::no_convergence;
+  if (!may_be || path.points.empty()) return "";
+  JointSpec spec = scene.joint;
+  spec.xi = choice.xi;
+  const Eigen::VectorXd strain =
+      choice.entry->in_double.strain(spec, {}, continuation.problem().node(path.points.back().state.b));
+  const auto corner = corner_near(spec.law, strain);
+  if (!corner) return "";
+  return fmt::format(
+      "the stiffness jumps: the curve of the {} has a corner at {:.6g}, and a path by arc length is "
+      "smooth; load steps, without --arc, go on",
+      strain_name(Eigen::VectorXd::Unit(strain.size(), corner->strain), spec.kind), corner->at);
+}
+
 }  // namespace
 
 Curve follow_by_arc(const Scene& scene, const Choice& choice) {
@@ -60,6 +78,10 @@ Curve follow_by_arc(const Scene& scene, const Choice& choice) {
   curve.converged = path.end == PathEnd::end_factor;
   curve.outcome = (curve.converged ? "converged" : path.outcome) + singular_points(path);
   if (!curve.converged) curve.cause = to_string(path.end) + singular_points(path);
+  if (const std::string corner = corner_at_end(path, continuation, scene, choice); !corner.empty()) {
+    curve.cause = corner;
+    curve.outcome = fmt::format("stopped at load factor {:.6g}: {}", path.points.back().state.factor, corner);
+  }
   curve.iterations = path.iterations;
   if (!path.points.empty()) curve.residual = residual(continuation.problem(), path.points.back().state);
   for (const PathPoint& point : path.points) {

@@ -37,11 +37,14 @@ Json quaternion_json(const Mat3<double>& R) {
   return short_numbers(Eigen::Vector4d(q.w, q.v[0], q.v[1], q.v[2]));
 }
 
-Json plain_law_json(const reference::LinearSpec& law) {
+Json rows_json(const Eigen::MatrixXd& matrix) {
   Json rows = Json::array();
-  for (Eigen::Index i = 0; i < law.matrix.rows(); ++i)
-    rows.push_back(numbers(Eigen::VectorXd(law.matrix.row(i))));
-  return {{"type", law.is_compliance ? "compliance" : "stiffness"}, {"matrix", rows}};
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) rows.push_back(numbers(Eigen::VectorXd(matrix.row(i))));
+  return rows;
+}
+
+Json plain_law_json(const reference::LinearSpec& law) {
+  return {{"type", law.is_compliance ? "compliance" : "stiffness"}, {"matrix", rows_json(law.matrix)}};
 }
 
 Json plain_law_json(const reference::PolynomialSpec& law) {
@@ -110,6 +113,18 @@ void add_bodies(const reference::Scene& scene, const reference::Curve& curve, Js
   }
 }
 
+/// What each joint exerts on its two bodies at each row: the opposite of what holds them.
+void add_reactions(const reference::Curve& curve, Json& out) {
+  out["reactions"] = Json::array();
+  for (const auto& row : curve.reactions) {
+    Json joints = Json::array();
+    for (const auto& loads : row)
+      joints.push_back(
+          {short_numbers(Eigen::VectorXd(loads.head<6>())), short_numbers(Eigen::VectorXd(loads.tail<6>()))});
+    out["reactions"].push_back(joints);
+  }
+}
+
 Json joint_json(const std::string& name, const reference::JointSpec& joint, int a, int b) {
   return {{"name", name},
           {"kind", to_string(joint.kind)},
@@ -157,6 +172,7 @@ Json page_head(const reference::SceneHead& scene, const Ran& ran) {
                 {"source", scene.source}}},
               {"notes", scene.notes},
               {"path", {{"factor_end", scene.factor_end}, {"points", scene.points}}}};
+  if (scene.is_in_time) out["path"]["over"] = "time";
   if (scene.critical_axis != 0) out["critical_axis"] = scene.critical_axis;
   out["outputs"] = out["curves"] = out["left_out"] = Json::array();
   for (const auto& name : scene.outputs)
@@ -191,9 +207,16 @@ Json page_data(const reference::MechanismScene& scene, const Ran& ran) {
                              {"clamped", !body.moves},
                              {"rest", pose_json(rest[i].value_or(Pose<double>{}))}});
   }
-  for (const auto& joint : scene.joints)
+  for (const auto& joint : scene.joints) {
     out["joints"].push_back(joint_json(joint.name, joint.spec, joint.a, joint.b));
-  for (const auto& load : scene.loads) out["loads"].push_back(load_json(load, load.body));
+    if (joint.damping.size() > 0) out["joints"].back()["damping"] = rows_json(joint.damping);
+  }
+  for (const auto& load : scene.loads) {
+    out["loads"].push_back(load_json(load, load.body));
+    if (load.times.empty()) continue;
+    out["loads"].back()["times"] = load.times;
+    out["loads"].back()["factors"] = load.factors;
+  }
   out["motions"] = Json::array();
   for (const auto& motion : scene.motions) out["motions"].push_back(motion_json(motion));
   for (std::size_t i = 0; i < ran.curves.size(); ++i) {
@@ -204,6 +227,8 @@ Json page_data(const reference::MechanismScene& scene, const Ran& ran) {
       for (const auto& pose : row) poses.push_back(pose_json(pose));
       curve["poses"].push_back(poses);
     }
+    add_reactions(ran.curves[i], curve);
+    if (scene.time) curve["energies"] = ran.curves[i].energies;
   }
   return out;
 }

@@ -52,7 +52,7 @@ std::string curves_svg(const reference::SceneHead& scene, const std::vector<refe
     const svg::Panel panel{axis_of(curves, 0), axis_of(curves, i + 1),
                            svg::kTop + double(i) * (kPanelHeight + svg::kGap), svg::kPanelWidth,
                            kPanelHeight};
-    svg::draw_axes(out, panel, "load factor",
+    svg::draw_axes(out, panel, scene.is_in_time ? "time (s)" : "load factor",
                    fmt::format("{} ({})", scene.outputs[i], reference::unit_of_output(scene.outputs[i])));
     draw_curves(out, panel, curves, i + 1);
   }

@@ -62,6 +62,7 @@ reference::AnyScene find_scene(const std::string& name_or_file) {
   if (auto chain = named(reference::chain_scenes(), name_or_file, names)) return *std::move(chain);
   if (auto mechanism = named(reference::mechanism_scenes(), name_or_file, names))
     return *std::move(mechanism);
+  if (auto motion = named(reference::motion_scenes(), name_or_file, names)) return *std::move(motion);
   const std::vector<std::string_view> allowed(names.begin(), names.end());
   throw BadInput(reference::unknown_name("scene", name_or_file, allowed) + ", or a file NAME.toml");
 }

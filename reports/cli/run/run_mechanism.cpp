@@ -1,7 +1,9 @@
 // halfway run of a mechanism: curves as of a joint.
+#include "reference/mechanism/motion/solve_motion.hpp"
 #include "reference/mechanism/solve.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/progress.hpp"
+#include "reports/cli/run/energy_words.hpp"
 #include "reports/cli/run/page_data.hpp"
 #include "reports/cli/run/run_chart.hpp"
 #include "reports/cli/run/run_files.hpp"
@@ -28,9 +30,11 @@ std::vector<reference::Curve> mechanism_curves(const reference::MechanismScene& 
   std::vector<reference::Curve> curves;
   for (const auto& choice : choices) {
     Progress live(curve_label(reference::empty_curve(scene, choice)), Progress::Elsewhere::silent);
-    curves.push_back(reference::solve_scene(scene, choice, [&](int done, int total) {
-      live(done, total, fmt::format("load factor {:g}", scene.factor_end * done / total));
-    }));
+    const auto told = [&](int done, int total) {
+      live(done, total, fmt::format("{} {:g}", runs_over(scene), scene.factor_end * done / total));
+    };
+    curves.push_back(scene.time ? reference::solve_motion(scene, choice, told)
+                                : reference::solve_scene(scene, choice, told));
     tell(fmt::format("[{}/{}] {}: {}\n", curves.size(), choices.size(), curve_label(curves.back()),
                      curves.back().outcome));
   }
@@ -41,7 +45,12 @@ std::vector<reference::Curve> mechanism_curves(const reference::MechanismScene& 
 
 void run_mechanism(const RunOptions& options, const reference::MechanismScene& scene) {
   for (const auto& [asked, name] : {std::pair{options.by_arc, "--arc"}, {options.with_rod, "--rod"}})
-    if (asked) throw BadInput(fmt::format("{}: {} is a mechanism; allowed: one joint", name, scene.name));
+    if (asked)
+      throw BadInput(fmt::format("{}: {} is {}; allowed: one joint at rest", name, scene.name,
+                                 scene.time
+                                     ? "a motion, which has no path"
+                                     : "a mechanism, which is followed in load steps; path.critical finds "
+                                       "where its tangent is singular first"));
   const Fit fit = fit_of_mechanism(scene);
   const auto choices = run_choices(scene, fit, options.formulations, options.xis);
   begin_run(options, scene);
@@ -58,12 +67,13 @@ void run_mechanism(const RunOptions& options, const reference::MechanismScene& s
     return run_page(page_data(scene, {options.command(), curves, missing}));
   });
   print(summary_text(scene, curves, missing));
+  if (scene.time) print(energy_words(scene, curves));
   if (std::ranges::any_of(curves, &reference::Curve::is_inaccurate))
     throw FailedRun(
         fmt::format("{}: beyond what double precision resolves; see the error column", scene.name));
   if (std::ranges::none_of(curves, &reference::Curve::converged))
-    throw FailedRun(
-        fmt::format("{}: no formulation reached the last load factor {:g}", scene.name, scene.factor_end));
+    throw FailedRun(fmt::format("{}: no formulation reached the last {} {:g}", scene.name, runs_over(scene),
+                                scene.factor_end));
 }
 
 }  // namespace halfway::reports

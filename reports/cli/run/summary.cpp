@@ -34,7 +34,9 @@ std::string first_line(const reference::SceneHead& scene, const std::vector<Curv
   const auto all = std::ranges::count_if(curves, is_formulation);
   const auto arrived =
       std::ranges::count_if(curves, [](const Curve& c) { return is_formulation(c) && c.converged; });
-  std::string out = fmt::format("Load factor {:g}: reached by {} of {} formulation{}", scene.factor_end,
+  std::string out = fmt::format("{}: reached by {} of {} formulation{}",
+                                scene.is_in_time ? fmt::format("Time {:g} s", scene.factor_end)
+                                                 : fmt::format("Load factor {:g}", scene.factor_end),
                                 arrived, all, all == 1 ? "" : "s");
   if (comparison.answers == 1 && arrived > 1)
     out += fmt::format(", which agree to {:g} % of the answer", 100 * kAgree);

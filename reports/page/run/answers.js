@@ -1,7 +1,18 @@
 // What a run says first: the scene, who agrees, who ends early and why, and what was left out.
 import {h, plainTable, swatch} from '../dom.js';
 import {full, short} from '../format.js';
-import {chainWords, endWords, kindWords, lawWords, loadWords, motionWords, nodeWords} from './words.js';
+import {
+  chainWords,
+  dampingWords,
+  endWords,
+  kindWords,
+  lawWords,
+  loadWords,
+  motionWords,
+  nodeWords,
+  overWords,
+  placeText
+} from './words.js';
 
 /** @typedef {import('./run.js').App} App */
 
@@ -17,7 +28,7 @@ const named = ({series}, places) =>
 function groups(app) {
   const {run} = app;
   if (!run.comparison.groups.length)
-    return h('p', {class: 'empty'}, 'No formulation reaches the last load factor.');
+    return h('p', {class: 'empty'}, `No formulation reaches the last ${overWords(run)}.`);
   const columns = [
     {text: 'formulations'},
     ...run.outputs.map((o) => ({text: `${o.name}, ${o.unit}`, number: true})),
@@ -32,10 +43,10 @@ function groups(app) {
   ]);
   const agree = short(100 * run.comparison.agree, 2);
   return plainTable(
-    'Answers at the last load factor',
+    `Answers at the last ${overWords(run)}`,
     columns,
     rows,
-    `Answers at load factor ${short(run.path.factor_end, 5)}, one row for those within ${agree} % of one another`,
+    `Answers at ${placeText(run, run.path.factor_end, 5)}, one row for those within ${agree} % of one another`,
     true
   );
 }
@@ -107,6 +118,7 @@ export function sceneFacts({run}) {
     return [
       term(`joint${of}`, kindWords(j, isOne)),
       term(`law${of}`, lawWords(j)),
+      j.damping ? term(`damping${of}`, dampingWords(j)) : '',
       term(`ends${of}`, lines(ends))
     ];
   });
@@ -120,10 +132,12 @@ export function sceneFacts({run}) {
       : '',
     run.motions?.length ? term('motions', lines(motionWords(run).map((text) => `${text}.`))) : '',
     term(
-      'load factor',
-      loads.length && !run.motions
-        ? `From 0 to ${short(path.factor_end, 5)}; it multiplies the loads above.`
-        : `From 0 to ${short(path.factor_end, 5)}.`
+      overWords(run),
+      path.over
+        ? `From 0 to ${short(path.factor_end, 5)} s.`
+        : loads.length && !run.motions
+          ? `From 0 to ${short(path.factor_end, 5)}; it multiplies the loads above.`
+          : `From 0 to ${short(path.factor_end, 5)}.`
     ),
     notes.length ? term('read', lines(notes)) : '',
     scene.description ? term('about', scene.description) : '',

@@ -4,18 +4,20 @@ import {full, short} from '../format.js';
 import {svgFile} from '../dashboard/plot.js';
 import {linesChart} from './lines.js';
 import {curvesCsv, fileName} from './run_data.js';
-import {outputWords} from './words.js';
+import {outputWords, overWords, placeText} from './words.js';
 
 /** @typedef {import('./run.js').App} App */
 
-/** @param {import('./lines.js').Place | undefined} place @param {{name: string, unit: string}} output */
-function readoutWords(place, {name, unit}, column) {
+/** @param {import('../run').RunFile} run @param {import('./lines.js').Place | undefined} place
+ * @param {{name: string, unit: string}} output @param {number} column
+ */
+function readoutWords(run, place, {name, unit}, column) {
   if (!place) return '';
   const {curve, key} = place.series;
   const error = curve.errors[place.row];
   const known = error === null || error === undefined ? '' : ` ± ${short(error, 1)}`;
   const [factor] = curve.rows[place.row];
-  return `${key} at load factor ${short(factor, 6)}: ${name} = ${short(curve.rows[place.row][column], 8)}${known} ${unit}`;
+  return `${key} at ${placeText(run, factor, 6)}: ${name} = ${short(curve.rows[place.row][column], 8)}${known} ${unit}`;
 }
 
 /** One output. @param {App} app @param {number} column */
@@ -31,6 +33,7 @@ function panel(app, column) {
     const shown = app.series.filter((s) => s.on);
     const made = linesChart({
       ...{shown, column, title, factorEnd: run.path.factor_end},
+      over: run.path.over ? 'time, s' : 'load factor',
       width: Math.max(box.clientWidth, 280)
     });
     chart = made;
@@ -38,7 +41,7 @@ function panel(app, column) {
       const {left, top} = made.drawn.getBoundingClientRect();
       const place = made.nearest(event.clientX - left, event.clientY - top);
       made.mark(place);
-      say.textContent = readoutWords(place, output, column);
+      say.textContent = readoutWords(run, place, output, column);
     });
     made.drawn.addEventListener('pointerleave', () => {
       made.mark(undefined);
@@ -60,7 +63,7 @@ function panel(app, column) {
 function table({run, chosen}) {
   const {label, rows, errors} = chosen();
   const columns = [
-    {text: 'load factor', number: true},
+    {text: run.path.over ? 'time, s' : 'load factor', number: true},
     ...run.outputs.map((o) => ({text: `${o.name}, ${o.unit}`, number: true})),
     {text: 'error', number: true}
   ];
@@ -109,7 +112,7 @@ export function curvesSection(app) {
       h(
         'p',
         {class: 'note'},
-        'A symbol ends each line, a cross one that ends early. Upright: the load factor that is drawn as a body.'
+        `A symbol ends each line, a cross one that ends early. Upright: the ${overWords(run)} that is drawn as a body.`
       ),
       h(
         'div',

@@ -2,7 +2,7 @@
 import {h, plainTable} from '../dom.js';
 import {full, short} from '../format.js';
 import {unbalanced} from './run_data.js';
-import {nodeWords} from './words.js';
+import {nodeWords, placeText} from './words.js';
 
 /** @typedef {import('./run.js').App} App */
 
@@ -43,7 +43,7 @@ function content({run, state, chosen}) {
       `What holds the nodes of ${label}`,
       columns,
       run.bodies.map((b, i) => row(nodeWords(b.name), loads[i])),
-      `${label} at load factor ${short(state.factor, 5)}; axes of the scene, moments about each node`
+      `${label} at ${placeText(run, state.factor, 5)}; axes of the scene, moments about each node`
     ),
     h(
       'p',

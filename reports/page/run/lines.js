@@ -1,4 +1,4 @@
-// The picture of one output against the load factor: a line a series, a cursor, and the nearest point.
+// The picture of one output against the load factor or the time: a line a series, a cursor, and the nearest point.
 import {PATHS, svg} from '../dom.js';
 import {frameOf, picture, xAxis, xTicks, yAxis} from '../dashboard/plot.js';
 import {scaleOf} from '../dashboard/scale.js';
@@ -37,8 +37,10 @@ function drawnLine(places) {
   ];
 }
 
-/** @param {{shown: Series[], column: number, title: string, width: number, factorEnd: number}} request */
-export function linesChart({shown, column, title, width, factorEnd}) {
+/** @param {{shown: Series[], column: number, title: string, width: number, factorEnd: number, over: string}} request
+ *   over: what it is drawn against
+ */
+export function linesChart({shown, column, title, width, factorEnd, over}) {
   const frame = frameOf(width, kTall);
   const rows = shown.flatMap((s) => s.curve.rows);
   const x = scaleOf([0, factorEnd, ...rows.map((r) => r[0])], frame.left, frame.right, false);
@@ -46,10 +48,10 @@ export function linesChart({shown, column, title, width, factorEnd}) {
   const lines = placesOfLines(shown, column, x.at, y.at);
   const cursor = svg('path', {class: 'cursor'});
   const dot = svg('circle', {class: 'dot', r: 4.5, visibility: 'hidden'});
-  const drawn = picture(frame, `${title} against the load factor: ${shown.map((s) => s.key).join(', ')}`);
+  const drawn = picture(frame, `${title} against ${over}: ${shown.map((s) => s.key).join(', ')}`);
   drawn.append(
     ...yAxis({...frame, top: 22}, y, title),
-    ...xAxis(frame, xTicks(x), 'load factor'),
+    ...xAxis(frame, xTicks(x), over),
     cursor,
     ...lines.map(drawnLine).flat(3),
     dot

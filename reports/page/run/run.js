@@ -5,6 +5,8 @@ import {main, start} from '../start.js';
 import {answersSection, criticalPart, endedLines, leftOutSection, sceneFacts} from './answers.js';
 import {curvesSection} from './curves.js';
 import {holdingSection} from './holding.js';
+import {energySection} from './energy.js';
+import {reactionsSection} from './reactions.js';
 import {firstChosen, rowNear, seriesOfRun} from './run_data.js';
 import {shapeSection} from './shape.js';
 import {answerWords} from './words.js';
@@ -45,12 +47,19 @@ function appOf(run) {
 }
 
 /** The parts below the pictures: id, title, content; null where the run has nothing of that sort.
- * @param {App} app @param {ReturnType<typeof holdingSection> | null} holding
+ * @param {App} app @param {{content: any} | null} holding @param {{content: any} | null} energy
  */
-const partsOf = (app, holding) =>
+const partsOf = (app, holding, energy) =>
   /** @type {[string, string, any][]} */ ([
     ['answers', 'Who agrees', answersSection(app)],
-    ['holding', 'Reactions: what holds the nodes', holding && holding.content],
+    ['energy', 'Where the energy is', energy && energy.content],
+    [
+      'holding',
+      app.run.curves.some((c) => c.holding.length)
+        ? 'Reactions: what holds the nodes'
+        : 'Reactions: what the joints exert',
+      holding && holding.content
+    ],
     ['critical', 'Where it buckles', app.run.critical_axis ? criticalPart(app) : null],
     ['left-out', 'What was left out', leftOutSection(app)]
   ]).filter(([, , content]) => content);
@@ -59,8 +68,13 @@ const partsOf = (app, holding) =>
 function build(run) {
   const app = appOf(run);
   const [curves, shape] = [curvesSection(app), shapeSection(app)];
-  const holding = run.curves.some((c) => c.holding.length) ? holdingSection(app) : null;
-  const parts = partsOf(app, holding);
+  const holding = run.curves.some((c) => c.holding.length)
+    ? holdingSection(app)
+    : run.curves.some((c) => c.reactions?.length)
+      ? reactionsSection(app)
+      : null;
+  const energy = run.curves.some((c) => c.energies?.length) ? energySection(app) : null;
+  const parts = partsOf(app, holding, energy);
   document.title = `${run.scene.title} · Halfway`;
   document.getElementById('nav')?.append(...parts.map(([id, title]) => h('a', {href: `#${id}`}, title)));
   main().replaceChildren(
@@ -87,11 +101,15 @@ function build(run) {
     shape.update();
     curves.update();
     holding?.update();
+    energy?.update();
   };
   curves.draw();
   account('curves', run.curves.length ? 'drawn' : 'empty');
   app.go(Math.max(app.chosen().rows.length - 1, 0));
-  window.addEventListener('resize', () => curves.draw());
+  window.addEventListener('resize', () => {
+    curves.draw();
+    energy?.draw();
+  });
 }
 
 start('This run', () => {

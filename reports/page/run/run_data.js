@@ -90,6 +90,18 @@ export function proportions(run) {
   };
 }
 
+/** What a load is multiplied with at a time: straight between its times, and as at the nearest beyond them.
+ * @param {import('../run').RunLoad} load @param {number} time
+ */
+export function multiplierAt({times = [], factors = []}, time) {
+  if (!times.length) return 1;
+  const after = times.findIndex((t) => t > time);
+  if (after <= 0) return /** @type {number} */ (factors.at(after));
+  const [t, u] = times.slice(after - 1, after + 1);
+  const [f, g] = factors.slice(after - 1, after + 1);
+  return f + ((g - f) * (time - t)) / (u - t);
+}
+
 /** What of the loads that hold the bodies does not balance: the sums of forces, and of moments about the origin.
  * @param {number[][]} holding @param {number[][]} poses
  */
@@ -107,8 +119,8 @@ export function unbalanced(holding, poses) {
 }
 
 /** As curve.csv has it, without errors where there are none. @param {RunFile} run */
-export function curvesCsv({outputs, curves}) {
-  const head = ['formulation', 'factor', ...outputs.map((o) => o.name), 'error'];
+export function curvesCsv({outputs, curves, path}) {
+  const head = ['formulation', path.over ?? 'factor', ...outputs.map((o) => o.name), 'error'];
   const rows = curves.flatMap((c) => c.rows.map((row, i) => [c.label, ...row, c.errors[i] ?? '']));
   return [head, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n';
 }

@@ -6,6 +6,7 @@ import {ball} from '../charts/solids/view3d.js';
 import {turnable} from '../turntable.js';
 import {firstChosen} from './run_data.js';
 import {piecesOf, placesOf, sizesOf} from './solids.js';
+import {placeText} from './words.js';
 import {emptyView, FIRST_VIEW, paint, radiusFor} from './view.js';
 
 /** @typedef {import('./run.js').App} App */
@@ -29,7 +30,7 @@ function caption({run, state}, times) {
 function placeWords({run, state, chosen}) {
   const {rows, converged, cause} = chosen();
   const ends = state.row === rows.length - 1 && !converged ? `; it ends here: ${cause}` : '';
-  return `load factor ${short(state.factor, 5)} of ${short(run.path.factor_end, 5)}${ends}`;
+  return `${placeText(run, state.factor, 5)} of ${short(run.path.factor_end, 5)}${ends}`;
 }
 
 /** @param {App} app */
@@ -60,7 +61,7 @@ export function shapeSection(app) {
     max: 1,
     step: 1,
     id: 'factor',
-    'aria-label': 'Load factor'
+    'aria-label': run.path.over ? 'Time' : 'Load factor'
   });
   const say = h('output', {for: 'factor', class: 'readout'});
   const words = h('figcaption');

@@ -1,6 +1,6 @@
 // What is drawn of a run in three dimensions: bodies, ends, loads, trails as lines, faces, words. No document here.
 import {composed, exaggerated, plus, pointOf, posed, scaled, turned} from './poses.js';
-import {largestMotion, proportions, restSize, rowBeside} from './run_data.js';
+import {largestMotion, multiplierAt, proportions, restSize, rowBeside} from './run_data.js';
 
 /** @typedef {import('./poses.js').Vector} Vector */
 /** @typedef {import('./poses.js').Posed} Posed */
@@ -97,15 +97,15 @@ function ring(at, d, radius) {
   ];
 }
 
-/** Loads at a share of the last load factor; arrows of one kind are in proportion.
- * @param {RunFile} run @param {Posed[]} bodies @param {number} share @param {Sizes} sizes @returns {Piece[]}
+/** Loads at a load factor or a time; arrows of one kind are in proportion.
+ * @param {RunFile} run @param {Posed[]} bodies @param {number} factor @param {Sizes} sizes @returns {Piece[]}
  */
-function loadPieces({loads}, bodies, share, {axis}) {
-  if (!share) return [];
+function loadPieces({loads, path}, bodies, factor, {axis}) {
   const isMoment = (/** @type {{type: string}} */ load) => load.type.endsWith('moment');
   return loads.flatMap((load) => {
     const size = Math.hypot(...load.value);
-    if (!(size > 0)) return [];
+    const share = path.over ? multiplierAt(load, factor) : factor / path.factor_end;
+    if (!(size > 0) || !share) return [];
     const alike = loads.filter((l) => isMoment(l) === isMoment(load)).map((l) => Math.hypot(...l.value));
     const body = bodies[load.body];
     const value = load.type.startsWith('follower') ? turned(body.q, load.value) : load.value;
@@ -243,11 +243,7 @@ export function piecesOf(run, chosen, others, row, sizes) {
         ...boxes(run, bodies, rest, sizes, color),
         ...run.joints.flatMap((joint) => jointPieces(joint, bodies, sizes, color))
       ];
-  return [
-    ...beside(run, others, factor, sizes),
-    ...drawn,
-    ...loadPieces(run, bodies, factor / run.path.factor_end, sizes)
-  ];
+  return [...beside(run, others, factor, sizes), ...drawn, ...loadPieces(run, bodies, factor, sizes)];
 }
 
 /** Everything that the chosen curve ever needs to be seen.

@@ -50,6 +50,18 @@ function alongAndAbout(joint, diagonal, units) {
   return `${parts.filter(Boolean).join(' and ')} joint axes 1, 2, 3`;
 }
 
+/** Of a joint with a damper. @param {RunJoint} joint */
+export function dampingWords(joint) {
+  const rows = joint.damping ?? [];
+  const isDiagonal = rows.every((row, i) => row.every((x, j) => i === j || x === 0));
+  const diagonal = rows.map((row, i) => row[i]);
+  const units = {shift: 'N s/m', turn: 'N m s/rad'};
+  const values = isDiagonal
+    ? alongAndAbout(joint, diagonal, units)
+    : `in N s, m, rad: ${rows.map((r) => `[${listed(r)}]`).join(', ')}`;
+  return `Of the rates of the half-way strains, whatever the formulation: ${values}.`;
+}
+
 /** @param {RunJoint} joint */
 export function lawWords(joint) {
   const {offset, preload} = joint.law;
@@ -119,10 +131,10 @@ const LOADS = {
 
 /** @param {RunFile} run @returns {string[]} */
 export const loadWords = ({loads, bodies}) =>
-  loads.map(({body, type, value, point, held}) => {
+  loads.map(({body, type, value, point, held, times = [], factors = []}) => {
     const {word, unit, way} = LOADS[type];
     const where = isZero(point) ? '' : `, at ${vectorWords(point)} m in its axes`;
-    return `${word} ${vectorWords(value)} ${unit} on ${nodeWords(bodies[body].name)}${where}, ${way}${held ? '; in full from the start' : ''}`;
+    return `${word} ${vectorWords(value)} ${unit} on ${nodeWords(bodies[body].name)}${where}, ${way}${held ? '; in full from the start' : ''}${times.length ? `; times ${listed(factors)} at ${listed(times)} s` : ''}`;
   });
 
 /** What bodies are made to do. @param {RunFile} run @returns {string[]} */
@@ -157,6 +169,13 @@ export function outputWords({name, unit}) {
   return `${words}${/^[xyz]$/.test(name) ? `position ${name}` : name}, ${unit}`;
 }
 
+/** What the curves run over. @param {RunFile} run */
+export const overWords = ({path}) => path.over ?? 'load factor';
+
+/** "load factor 0.5", "time 0.5 s". @param {RunFile} run @param {number} factor @param {number} digits */
+export const placeText = ({path}, factor, digits) =>
+  path.over ? `time ${short(factor, digits)} s` : `load factor ${short(factor, digits)}`;
+
 /** Who arrives, and how far apart the answers are. @param {RunFile} run */
 export function answerWords({comparison, curves, path}) {
   const isOwn = (/** @type {number} */ i) => !['linearized', 'rod'].includes(curves[i].formulation);
@@ -165,7 +184,7 @@ export function answerWords({comparison, curves, path}) {
   const agree = `${short(100 * comparison.agree, 2)} %`;
   const late = all - arrived;
   const early = late ? ` ${late} ${late === 1 ? 'ends' : 'end'} early.` : '';
-  const reach = `${arrived} of ${plural(all, 'formulation')} ${arrived === 1 ? 'reaches' : 'reach'} load factor ${number(path.factor_end)}`;
+  const reach = `${arrived} of ${plural(all, 'formulation')} ${arrived === 1 ? 'reaches' : 'reach'} ${path.over ?? 'load factor'} ${number(path.factor_end)}${path.over ? ' s' : ''}`;
   const {answers} = comparison;
   if (answers > 1) {
     return `${reach}, with ${answers} answers more than ${agree} apart; the farthest differ by ${short(100 * comparison.apart, 2)} %.${early}`;

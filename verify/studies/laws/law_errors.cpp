@@ -117,6 +117,10 @@ constexpr Broken kBrokenCurves[] = {
      "joint.law.type = \"per_axes\": is not a known name (did you mean 'per_axis'?); allowed: linear, "
      "polynomial, per_axis",
      "\"per_axis\"", "\"per_axes\" #!"},
+    {"law_type_of_others",
+     "joint.law.type = \"table\": is not a known name (did you mean 'per_axis'?); allowed: linear, "
+     "polynomial, per_axis",
+     "\"per_axis\"", "\"table\" #!"},
     {"preload_too_short", "joint.law.preload = [1, 2]: has 2 entries; allowed: 3 numbers",
      "preload = [\"1 N m\", 0, 0]", "preload = [1, 2] #!"},
     {"preload_of_force", "joint.law.preload[1] = \"1 N\": is in N (N in SI) where N m is needed",

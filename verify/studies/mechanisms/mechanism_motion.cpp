@@ -137,6 +137,22 @@ factor_end = 1
 points = 4
 )";
 
+constexpr const char* kPlay = R"(title = "play"
+[[joint]]
+name = "pin"
+kind = "angular"
+[joint.law]
+type = "polynomial"
+k1 = [10, 10, 0]
+k3 = [0, 0, 5]
+[[load]]
+type = "fixed_moment"
+value = [1, 0, 0.5]
+[path]
+factor_end = 1
+points = 4
+)";
+
 std::string hinge(const std::map<std::string, std::string>& words) {
   std::string out = kHinge;
   for (const auto& [word, by] : words) {
@@ -167,6 +183,8 @@ std::vector<Finding> hinges() {
   const Curve loaded = with("3", "0"), hanging = with("3", "-4"), idle = with("0", "0");
   return {said("loaded", loaded, "without stiffness, rotation about (0, 1, 0) of body arm"),
           said("idle", idle, "converged"),
+          said("play", run_text(kPlay, "invariant"),
+               "the curve of the rotation about joint axis 3 of pin is flat at rest"),
           finding("mechanism_hinge/hangs")
               .about("mechanisms")
               .measured(hanging.converged ? tapped(hanging.rows.back()[1]) : std::nan(""), hanging.outcome)

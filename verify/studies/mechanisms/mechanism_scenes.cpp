@@ -1,4 +1,5 @@
-// The scenes of mechanisms: every reference value, in double.
+// The scenes of mechanisms, at rest and in time: every reference value, in double.
+#include "reference/mechanism/motion/solve_motion.hpp"
 #include "reference/mechanism/solve.hpp"
 
 #include "reference/scene/any_scene.hpp"
@@ -19,7 +20,11 @@ using reference::MechanismScene;
 using reference::SceneReference;
 
 const std::vector<MechanismScene>& mechanisms() {
-  static const std::vector<MechanismScene> kept = reference::mechanism_scenes();
+  static const std::vector<MechanismScene> kept = [] {
+    std::vector<MechanismScene> out = reference::mechanism_scenes();
+    for (const MechanismScene& scene : reference::motion_scenes()) out.push_back(scene);
+    return out;
+  }();
   return kept;
 }
 
@@ -34,7 +39,8 @@ double value_of(const Curve& curve, const SceneReference& r) {
 std::vector<Finding> solved(const MechanismScene& scene, const std::string& formulation,
                             const std::vector<SceneReference>& references) {
   const reference::Choice choice{reference::find_formulation(formulation), references.front().xi};
-  const Curve curve = reference::solve_scene(scene, choice);
+  const Curve curve =
+      scene.time ? reference::solve_motion(scene, choice) : reference::solve_scene(scene, choice);
   std::vector<Finding> out;
   for (const SceneReference& r : references) {
     const double expected = std::stod(r.value.empty() ? "0" : r.value);

@@ -7,6 +7,7 @@ import {angleAxis, composed, exaggerated, inverted, pointOf, posed, turned} from
 import {
   curvesCsv,
   firstChosen,
+  multiplierAt,
   proportions,
   rowBeside,
   rowNear,
@@ -14,8 +15,17 @@ import {
   unbalanced
 } from '../../run/run_data.js';
 import {piecesOf, placesOf, sizesOf} from '../../run/solids.js';
-import {answerWords, endWords, lawWords, loadWords, outputWords} from '../../run/words.js';
-import {chainFixture, rowFixture, runFixture} from './fixture.mjs';
+import {balanceOf} from '../../run/energy.js';
+import {
+  answerWords,
+  dampingWords,
+  endWords,
+  lawWords,
+  loadWords,
+  outputWords,
+  placeText
+} from '../../run/words.js';
+import {chainFixture, motionFixture, rowFixture, runFixture} from './fixture.mjs';
 
 const schema = JSON.parse(readFileSync(new URL('../../../run.schema.json', import.meta.url), 'utf8'));
 const holds = new Ajv2020({allowUnionTypes: true}).compile(schema);
@@ -24,12 +34,28 @@ const near = (a, b, most = 1e-12) =>
 const quarter = [Math.SQRT1_2, 0, 0, Math.SQRT1_2]; // about z
 
 test('the made-up runs satisfy the schema, and a wrong one does not', () => {
-  for (const run of [runFixture(), rowFixture(), chainFixture()]) {
+  for (const run of [runFixture(), rowFixture(), chainFixture(), motionFixture()]) {
     assert.equal(holds(run), true, JSON.stringify(holds.errors));
   }
   const wrong = runFixture();
   wrong.curves[0].poses = [[1]];
   assert.equal(holds(wrong), false);
+});
+
+test('a motion: the time in place of the load factor, loads over it, dampers, what the energies miss', () => {
+  const run = motionFixture();
+  assert.match(answerWords(run), /^1 of 1 formulation reaches time 10 s\./);
+  assert.equal(placeText(run, 2.5, 5), 'time 2.5 s');
+  assert.equal(placeText(rowFixture(), 2.5, 5), 'load factor 2.5');
+  assert.match(loadWords(run)[0], /; times 0, 1 at 0, 5 s$/);
+  assert.match(dampingWords(run.joints[0]), /1, 2, 3 N m s\/rad about joint axes 1, 2, 3\.$/);
+  const load = {times: [1, 2, 4], factors: [0, 1, 0.5]};
+  near(
+    [0, 1, 1.5, 2, 3, 4, 9].map((t) => multiplierAt(/** @type {any} */ (load), t)),
+    [0, 0, 0.5, 1, 0.75, 0.5, 0.5]
+  );
+  near(balanceOf(run.curves[0].energies), [0, 0, 0, 0, -0.25]);
+  assert.match(curvesCsv(run), /^formulation,time,/);
 });
 
 test('poses: rotations turn, combine and are undone', () => {

@@ -102,6 +102,46 @@ export const rowFixture = () => {
   });
 };
 
+/** The row in time: energies, reactions, a damper, a load that goes with the time. */
+export const motionFixture = () => {
+  const run = rowFixture();
+  const [only] = run.curves;
+  return {
+    ...run,
+    path: {...run.path, over: 'time'},
+    curves: [
+      {
+        ...only,
+        holding: [],
+        energies: only.rows.map((_, i) => [1 - i / 8, i / 16, i / 16, i === 4 ? 0.25 : 0]),
+        reactions: only.rows.map((_, i) => [
+          [
+            [i, 0, 0, 0, 0, 1],
+            [-i, 0, 0, 0, 0, -1]
+          ],
+          [
+            [0, 2, 0, 0, 0, 0],
+            [0, -2, 0, 0, 0, 0]
+          ]
+        ])
+      }
+    ],
+    joints: run.joints.map((joint, i) =>
+      i
+        ? joint
+        : {
+            ...joint,
+            damping: [
+              [1, 0, 0],
+              [0, 2, 0],
+              [0, 0, 3]
+            ]
+          }
+    ),
+    loads: [{...run.loads[1], times: [0, 5], factors: [0, 1]}]
+  };
+};
+
 /** A chain of 33 nodes that a moment bends to an arc. */
 export const chainFixture = () => {
   const shape = (turn) =>

@@ -9,7 +9,7 @@ import {after, before, test} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 import {Ajv2020} from 'ajv/dist/2020.js';
 import {axe, browserFile, launch, NO_BROWSER} from '../browser.mjs';
-import {chainFixture, HOSTILE, rowFixture, runAddress, runFixture} from './fixture.mjs';
+import {chainFixture, HOSTILE, motionFixture, rowFixture, runAddress, runFixture} from './fixture.mjs';
 
 const skip = browserFile() && process.env.RUN_BUNDLE ? false : NO_BROWSER;
 const program = process.env.HALFWAY_RUN ?? '';
@@ -32,10 +32,12 @@ before(async () => {
   browser = await launch();
   address.joint = runAddress(runFixture(), 'joint');
   address.row = runAddress(rowFixture(), 'row');
+  address.motion = runAddress(motionFixture(), 'motion');
   address.chain = runAddress(chainFixture(), 'chain');
   if (!program) return;
   const field = fileURLToPath(new URL('../../../tests/field/turned_offsets.toml', import.meta.url));
-  for (const scene of ['c1_skewed_torque', 'c3_buckling', field]) really(scene, program);
+  for (const scene of ['c1_skewed_torque', 'c3_buckling', 'torsional_pendulum', 'four_bar', field])
+    really(scene, program);
   const chains = join(dirname(program), 'halfway-chains');
   if (existsSync(chains)) really('roll_up', chains);
 });
@@ -206,6 +208,20 @@ test('what holds the nodes follows the slider; what does not balance is said', {
   })
 );
 
+test('a motion: the time under the slider, its energies, what the joints exert', {skip}, () =>
+  open({at: 'motion'}, async (page) => {
+    assert.match(await page.locator('.run-slider output').textContent(), /time 10 s of 10/);
+    assert.match(await page.locator('#energy .note').textContent(), /is off by 0.25 J at most/);
+    assert.equal(await page.locator('#energy .plot .line').count(), 5);
+    const rows = () => page.locator('#holding tbody tr').allTextContents();
+    assert.match((await rows())[0], /^first on ground4/);
+    assert.equal((await rows()).length, 4);
+    await slide(page, 1);
+    assert.match((await rows())[0], /^first on ground1/);
+    assert.match(await page.locator('#holding caption').textContent(), /time 2.5 s/);
+  })
+);
+
 test('texts are text, whatever they hold', {skip}, () =>
   open({}, async (page) => {
     assert.equal(await page.title(), `${HOSTILE} · Halfway`);
@@ -216,8 +232,15 @@ test('texts are text, whatever they hold', {skip}, () =>
   })
 );
 
-const made = ['joint', 'row', 'chain'];
-const real = ['c1_skewed_torque', 'c3_buckling', 'turned_offsets', 'roll_up'];
+const made = ['joint', 'row', 'motion', 'chain'];
+const real = [
+  'c1_skewed_torque',
+  'c3_buckling',
+  'torsional_pendulum',
+  'four_bar',
+  'turned_offsets',
+  'roll_up'
+];
 const pages = [...made, ...(program ? real : [])];
 /** What axe-core looks at: each theme and width, and each sort of run, once.
  * @type {Record<string, [string, number][]>}
@@ -229,6 +252,7 @@ const LOOKS = {
     ['light', 400]
   ],
   row: [['light', 1400]],
+  motion: [['light', 1400]],
   chain: [['dark', 1400]],
   c3_buckling: [['light', 1400]],
   turned_offsets: [['dark', 400]]
