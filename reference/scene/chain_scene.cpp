@@ -123,6 +123,9 @@ ChainScene chain_scene(const Field& file, const std::filesystem::path& path) {
   Names keys = kHeadKeys;
   keys.insert(keys.end(), {"chain", "load", "held"});
   if (const auto joint = file.find("joint")) joint->refuse("stands beside [chain]", "one of the two");
+  if (const auto time = file.find("time"))
+    time->refuse("stands beside a table [chain], and chains are solved at rest alone",
+                 "[path] or [held] beside [chain]; or bodies and joints beside [time]");
   file.has_only(keys);
   ChainScene scene;
   read_title(file, path, scene);

@@ -60,6 +60,8 @@ struct SceneTime {
   Integrator integrator = Integrator::runge_kutta;
   double tolerance = 1e-9;  ///< of a step of runge_kutta, relative and in SI units
   double step = 0;          ///< largest of a splitting, s
+  long most_steps =
+      400'000;  ///< of runge_kutta: tens of thousands of periods, some ten seconds a formulation
 };
 
 /// What a body is made to do, from its pose while nothing is loaded.

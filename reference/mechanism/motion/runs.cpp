@@ -32,7 +32,9 @@ std::string in_words(const std::string& failure) {
   if (failure == gsl_strerror(GSL_EBADFUNC))
     return "the loads are no numbers: beyond the formulation's range";
   if (failure == gsl_strerror(GSL_EMAXITER))
-    return "millions of steps: the fastest motion is far faster than the time that is asked for";
+    return "more steps than are taken: the fastest motion is far faster than the time that is asked for; a "
+           "softer joint, "
+           "a shorter time or a larger tolerance helps";
   return "the integrator stops: " + failure;
 }
 
@@ -50,7 +52,9 @@ Run::Run(const MovingScene& moving, bool is_finer)
     };
   const SceneTime& time = *moving.scene().time;
   if (time.integrator == Integrator::runge_kutta)
-    runge_kutta_.emplace(system_, moving.start(), is_finer ? time.tolerance / 100 : time.tolerance, true);
+    runge_kutta_.emplace(system_, moving.start(),
+                         dynamics::RungeKutta::Options{is_finer ? time.tolerance / 100 : time.tolerance, true,
+                                                       is_finer ? 3 * time.most_steps : time.most_steps});
 }
 
 std::string Run::split(double to) {

@@ -103,8 +103,6 @@ std::vector<double> scales_of(const System& system, bool per_mass) {
   return out;
 }
 
-constexpr long kMostSteps = 4'000'000;  // an hour's worth: a run that needs more has a named end
-
 }  // namespace
 
 struct RungeKutta::Parts {
@@ -116,24 +114,26 @@ struct RungeKutta::Parts {
   std::unique_ptr<gsl_odeiv2_evolve, Free> evolve{gsl_odeiv2_evolve_alloc(count)};
   std::vector<double> y = std::vector<double>(count);
   double t = 0, h = 0, norm_drift = 0;
-  long steps = 0;
+  long steps = 0, most_steps;
 
-  Parts(const System& system, const State& start, double tolerance, const std::vector<double>& scales)
-      : problem{system},
-        control(gsl_odeiv2_control_scaled_new(tolerance, tolerance, 1, 0, scales.data(), scales.size())) {
+  Parts(const System& system, const State& start, const Options& options)
+      : problem{system}, most_steps(options.most_steps) {
+    const std::vector<double> scales = scales_of(system, options.per_mass);
+    control.reset(gsl_odeiv2_control_scaled_new(options.tolerance, options.tolerance, 1, 0, scales.data(),
+                                                scales.size()));
     for (std::size_t i = 0; i < bodies; ++i) pack(start[i], &y[i * kPerBody]);
   }
 };
 
-RungeKutta::RungeKutta(const System& system, const State& start, double tolerance, bool per_mass)
-    : parts_(std::make_unique<Parts>(system, start, tolerance, scales_of(system, per_mass))) {}
+RungeKutta::RungeKutta(const System& system, const State& start, const Options& options)
+    : parts_(std::make_unique<Parts>(system, start, options)) {}
 RungeKutta::~RungeKutta() = default;
 
 std::string RungeKutta::advance(double time) {
   Parts& p = *parts_;
   if (p.h == 0) p.h = time / 100;
   while (p.t < time) {
-    const int status = p.steps++ < kMostSteps
+    const int status = p.steps++ < p.most_steps
                            ? gsl_odeiv2_evolve_apply(p.evolve.get(), p.control.get(), p.step.get(),
                                                      &p.equations, &p.t, time, &p.h, p.y.data())
                            : GSL_EMAXITER;
@@ -154,7 +154,7 @@ double RungeKutta::norm_drift() const { return parts_->norm_drift; }
 long RungeKutta::evaluations() const { return parts_->problem.evaluations; }
 
 RungeKuttaResult runge_kutta(const System& system, const State& start, double duration, double tolerance) {
-  RungeKutta motion(system, start, tolerance);
+  RungeKutta motion(system, start, {.tolerance = tolerance});
   const std::string failure = motion.advance(duration);
   return {motion.state(), motion.dissipated(), motion.norm_drift(), motion.evaluations(), failure};
 }

@@ -11,10 +11,16 @@ namespace halfway::reference::dynamics {
 /// A motion on its way, from time 0 on.
 class RungeKutta {
  public:
-  /// The system must outlive it. @param tolerance  of each step, relative to each number and absolute (SI
-  /// units); 1e-14 ... 1e-3
-  /// @param per_mass  absolute of momenta in m/s and rad/s instead: over the body's mass and largest inertia
-  RungeKutta(const System& system, const State& start, double tolerance, bool per_mass = false);
+  /// How it steps.
+  struct Options {
+    double tolerance =
+        1e-9;  ///< of each step, relative to each number and absolute (SI units); 1e-14 ... 1e-3
+    bool per_mass =
+        false;  ///< absolute of momenta in m/s and rad/s: over the body's mass and largest inertia
+    long most_steps = 4'000'000;  ///< an hour's worth: a run that needs more has a named end
+  };
+  /// The system must outlive it.
+  RungeKutta(const System& system, const State& start, const Options& options);
   ~RungeKutta();
   RungeKutta(const RungeKutta&) = delete;
   RungeKutta& operator=(const RungeKutta&) = delete;

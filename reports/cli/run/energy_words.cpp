@@ -54,7 +54,8 @@ std::string energy_words(const MechanismScene& scene, const std::vector<Curve>& 
   std::vector<std::pair<double, std::string>> made;
   for (const Curve& curve : curves) {
     const bool is_rounding = !integrated.is_empty() && curve.residual <= kFelt * integrated.value();
-    if (!has_potential(scene, curve) && !is_rounding) made.emplace_back(curve.residual, curve_label(curve));
+    if (!has_potential(scene, curve) && !is_rounding && curve.residual > 0)
+      made.emplace_back(curve.residual, curve_label(curve));
   }
   std::string out = fmt::format("  energy, balance over the largest there was: {}", dissipated(curves));
   out += integrated.is_empty()

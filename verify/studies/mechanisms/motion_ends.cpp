@@ -77,6 +77,12 @@ Curve too_long_steps() {
   return moved(scene, "potential");
 }
 
+Curve too_many_steps() {
+  MechanismScene scene = scene_of(kUnits, words_of_units({{"DURATION", "2000"}, {"VELOCITY", "1"}}));
+  scene.time->most_steps = 300;
+  return moved(scene, "potential");
+}
+
 std::vector<Finding> ends() {
   const auto said = [](const std::string& what, const Curve& curve, const std::string& words) {
     const bool is_said = !curve.converged && tapped(curve.outcome).find(words) != std::string::npos;
@@ -94,7 +100,8 @@ std::vector<Finding> ends() {
       said("half_turn_between_points", turned_hard("attached_a", "[96, 0, 28]", fine),
            "phi of spring reaches pi"),
       said("convexity", turned_hard("rod4", "[0.96, 0.4, 0.28]", fine), "within which its energy is convex"),
-      said("long_steps", too_long_steps(), "the step is too long for the fastest motion")};
+      said("long_steps", too_long_steps(), "the step is too long for the fastest motion"),
+      said("many_steps", too_many_steps(), "the fastest motion is far faster than the time")};
 }
 
 /// 1 lb = 0.45359237 kg, 1 in = 25.4 mm, 1 lbf = 4.4482216152605 N, 1 deg = pi/180 rad, in 20 digits by hand.
