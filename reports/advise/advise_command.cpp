@@ -53,7 +53,9 @@ void run(const Options& options) {
   for (const std::string& note : question.scene.notes)
     reports::tell("halfway: note: " + reports::printable(note) + "\n");
   reference::complete_catalog();
-  const Advice advice = advise(question, costs_of(question.scene));
+  const auto costs = costs_of(question.scene);
+  Advice advice = advise(question, costs);
+  advice.margin = margin_of(advice, costs);
   if (options.json) {
     reports::print(advice_json(advice).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     return;

@@ -73,7 +73,6 @@ Advice advise(const Question& question, const std::map<std::string, Cost>& costs
   out.judged = judge(question, out.truth, out.answers, out.envelope, out.measure(), costs);
   out.choice = choose(out.judged, question.tolerance);
   if (out.choice) out.plain = plain_of(out);
-  out.margin = margin_of(out, costs);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }

@@ -60,7 +60,7 @@ inline constexpr double kSameCost = 1.1;
 /// from; nothing where none suffices. Costs ascend.
 std::optional<std::size_t> choose(const std::vector<Judged>& judged, double tolerance);
 
-/// Everything. @param costs  of Candidate::timing(); where it has none a candidate cannot be chosen.
+/// All but the margins. @param costs  of Candidate::timing(); where it has none a candidate cannot be chosen.
 Advice advise(const Question& question, const std::map<std::string, Cost>& costs);
 
 /// Costs of all candidates of a scene, measured now.

@@ -21,22 +21,21 @@ std::optional<double> turned(const Truth& truth, double factor) {
 }
 
 /// The load factor at which it has turned by `goal` rad: rotations grow with the load until they pass half a
-/// turn.
+/// turn. The last of data that end before.
 double factor_of(const Question& question, const Truth& truth, double goal) {
   const auto refuse = [&](const std::string& why) {
     throw reports::BadInput(
         fmt::format("--degrees {:g}: scene {}: {}", goal / kDegree, question.scene.name, why));
   };
-  double low = 0, high = question.scene.factor_end;
+  double low = 0, high = std::min(question.scene.factor_end, truth.last());
   const auto first = turned(truth, high);
   if (!first) refuse("its outputs are not all of theta_x, theta_y, theta_z, or its path ends early");
   if (*first == 0) refuse("nothing turns");
-  if (*first < goal) {
-    for (int doubled = 0; doubled < 40 && turned(truth, high).value_or(0) < goal; ++doubled) {
-      const double at = turned(truth, high).value_or(0);
-      if (!(at > 0.5 * *first)) refuse("no load in this direction turns it so far");
-      low = high, high *= std::clamp(1.05 * goal / at, 1.01, 2.);
-    }
+  for (int grown = 0; grown < 60 && turned(truth, high).value_or(0) < goal; ++grown) {
+    if (high == truth.last()) return high;
+    const double at = turned(truth, high).value_or(0);
+    if (!(at > 0.5 * *first)) refuse("no load in this direction turns it so far");
+    low = high, high = std::min(high * std::clamp(1.05 * goal / at, 1.01, 2.), truth.last());
   }
   for (int halved = 0; halved < 60 && high - low > 1e-13 * high; ++halved) {
     const double middle = (low + high) / 2;
@@ -47,8 +46,8 @@ double factor_of(const Question& question, const Truth& truth, double goal) {
   return high;
 }
 
-/// Of data their own rows: those up to the load or the rotation asked for.
-Envelope of_data(const Question& question, const Truth& truth) {
+/// Of a table its own rows: those up to the load or the rotation asked for.
+Envelope of_rows(const Question& question, const Truth& truth) {
   Envelope out{truth.rows};
   const Answers answers = truth.at(truth.rows);
   const double goal = question.degrees.value_or(0) * kDegree;
@@ -75,12 +74,18 @@ Answers leading(const Truth& truth, const std::vector<double>& factors) {
 }
 
 Envelope envelope_of(const Question& question, const Truth& truth) {
-  if (truth.is_data()) return of_data(question, truth);
-  const double end =
+  if (!truth.is_smooth) return of_rows(question, truth);
+  const double asked =
       question.degrees ? factor_of(question, truth, *question.degrees * kDegree) : question.scene.factor_end;
   Envelope out;
+  const double end = std::min(asked, truth.last());
   out.rows = kRows;
-  for (int i = 1; i <= kRows + kBeyond; ++i) out.factors.push_back(end * i / kRows);
+  for (int i = 1; i <= kRows + kBeyond; ++i) {
+    const double factor = i == kRows ? end : end * i / kRows;
+    if (i <= kRows || factor <= truth.last()) out.factors.push_back(factor);
+  }
+  out.is_cut = question.degrees ? turned(truth, end).value_or(0) < *question.degrees * kDegree * (1 - 1e-6)
+                                : end < asked * (1 - 1e-9);
   return out;
 }
 

@@ -41,8 +41,13 @@ Change more_load(const Advice& advice) {
   const std::size_t known = advice.answers.value.size();
   for (std::size_t rows = advice.envelope.rows + 1; rows <= known; ++rows) {
     const auto other = chosen_at(advice, rows);
-    if (other != advice.choice)
-      return {advice.envelope.factors[rows - 2], rotation_of(advice, rows - 2), name_of(advice, other)};
+    if (other == advice.choice) continue;
+    // The chosen one's own end where that is what changes, straight between the rows; else the row before.
+    const double before = advice.envelope.factors[rows - 2];
+    const Judged* chosen = advice.chosen();
+    const bool ends = chosen && !chosen->reach.to_the_end && chosen->reach.factor >= before;
+    return {ends ? chosen->reach.factor : before,
+            ends ? chosen->reach.rotation : rotation_of(advice, rows - 2), name_of(advice, other)};
   }
   return {advice.envelope.factors[known - 1], rotation_of(advice, known - 1), "", true};
 }

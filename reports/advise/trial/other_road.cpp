@@ -94,7 +94,7 @@ int joints_of_chain(const std::string& truth) { return std::stoi(truth.substr(6)
 
 Answers truth_again(const Advice& advice, const std::vector<double>& factors) {
   const Scene& scene = advice.truth.scene;
-  if (advice.truth.is_data()) return advice.truth.at(factors);
+  if (!advice.truth.rows.empty()) return advice.truth.at(factors);
   if (scene.joint.kind != Kind::angular) return slender_again(scene, factors);
   const Mat3<double> K = stiffness_of(scene);
   const Mat3<double>& H = scene.joint.a.H;

@@ -18,10 +18,10 @@ constexpr double kRoads = 1e-7;
 
 /// Load factors between those of the advice, and its end.
 std::vector<double> between(const Advice& advice) {
-  if (advice.truth.is_data())
-    return {advice.envelope.factors.begin(),
-            advice.envelope.factors.begin() + std::ptrdiff_t(advice.envelope.rows)};
   std::vector<double> out;
+  for (const double row : advice.truth.rows)
+    if (row <= advice.envelope.end()) out.push_back(row);
+  if (!out.empty()) return out;
   for (const double share : {0.11, 0.37, 0.61, 0.83, 0.97, 1.}) out.push_back(share * advice.envelope.end());
   return out;
 }

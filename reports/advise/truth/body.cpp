@@ -112,6 +112,37 @@ Answers rows_of(const Scene& scene, const json& curve, double scale) {
   return out;
 }
 
+/// Between the rows and rest by the cubic through the four nearest: a solid's curve is smooth, its rows a
+/// twentieth of it apart.
+std::vector<double> interpolated(const Answers& rows, double factor) {
+  const auto count = rows.factor.size();
+  const auto x = [&](std::size_t i) { return i == 0 ? 0 : rows.factor[i - 1]; };
+  const auto y = [&](std::size_t i, std::size_t output) { return i == 0 ? 0 : rows.value[i - 1][output]; };
+  const auto above = std::size_t(std::ranges::lower_bound(rows.factor, factor) - rows.factor.begin()) + 1;
+  const std::size_t points = std::min<std::size_t>(4, count + 1);
+  const std::size_t first = std::min(above < 2 ? 0 : above - 2, count + 1 - points);
+  std::vector<double> out(rows.outputs.size(), 0);
+  for (std::size_t i = first; i < first + points; ++i) {
+    double weight = 1;
+    for (std::size_t j = first; j < first + points; ++j)
+      if (j != i) weight *= (factor - x(j)) / (x(i) - x(j));
+    for (std::size_t output = 0; output < out.size(); ++output) out[output] += weight * y(i, output);
+  }
+  return out;
+}
+
+Answers answers_at(const Answers& rows, const std::vector<double>& factors) {
+  Answers out{rows.outputs, factors, {}};
+  for (const double factor : factors) {
+    if (factor > rows.factor.back() * (1 + 1e-12)) {
+      out.ended = "the kept curve ends";
+      break;
+    }
+    out.value.push_back(interpolated(rows, factor));
+  }
+  return out;
+}
+
 }  // namespace
 
 bool has_body(const Scene& scene) { return kept_of(scene) != nullptr; }
@@ -144,12 +175,7 @@ Truth body_truth(const Scene& scene) {
   const Answers rows = rows_of(scene, *curve, full.norm() / scene.loads.front().value.norm());
   out.rows = rows.factor;
   out.error = std::nan("");
-  out.at = [rows](const std::vector<double>& factors) {
-    Answers some = rows;
-    some.factor.resize(std::min(factors.size(), rows.factor.size()));
-    some.value.resize(some.factor.size());
-    return some;
-  };
+  out.at = [rows](const std::vector<double>& factors) { return answers_at(rows, factors); };
   return out;
 }
 

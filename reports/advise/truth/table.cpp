@@ -102,6 +102,7 @@ Truth table_truth(const reference::Scene& scene, const std::string& file) {
   out.scene = scene;
   out.scene.outputs = rows.outputs;
   out.rows = rows.factor;
+  out.is_smooth = false;
   out.error = std::nan("");
   out.at = [rows](const std::vector<double>& factors) {
     Answers some = rows;

@@ -5,6 +5,7 @@
 #include "reports/advise/model/answers.hpp"
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace halfway::advise {
@@ -23,13 +24,14 @@ struct Truth {
   TruthKind kind = TruthKind::none;
   std::string described;   ///< in one line, with what it does not know
   reference::Scene scene;  ///< what laws are solved with: of a 3D body the compliance of its very mesh
-  /// At load factors, ascending; of data at those of its own rows up to the last of them.
+  /// At load factors, ascending, up to the last row of data.
   std::function<Answers(const std::vector<double>&)> at;
   std::vector<double> rows{};       ///< the load factors of data; empty: any can be asked for
+  bool is_smooth = true;            ///< data between whose rows can be read; else `at` has those rows alone
   double error = 0;                 ///< that it carries itself, relative; NaN: not known
   Measure measure = Measure::norm;  ///< what its users look at
 
-  bool is_data() const { return !rows.empty(); }
+  double last() const { return rows.empty() ? std::numeric_limits<double>::infinity() : rows.back(); }
 };
 
 /// "auto": the kept 3D body that the scene is of, or the rod that it says the length of, else none. "rod",
