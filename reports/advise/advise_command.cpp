@@ -1,11 +1,15 @@
 // halfway advise: which joint a scene needs, and no more.
 #include "reports/advise/command.hpp"
 
+#include "reports/advise/views/charts.hpp"
 #include "reports/advise/views/json.hpp"
+#include "reports/advise/views/page.hpp"
 #include "reports/advise/views/words.hpp"
+#include "reports/cli/commands.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/run/run_choices.hpp"
 #include "reports/cli/streams.hpp"
+#include "reports/views/files.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -24,6 +28,16 @@ struct Options {
   std::optional<double> degrees;
   double periods = 0;
   bool json = false;
+  std::string folder = "out/advise";
+
+  std::string command() const {
+    std::string out = fmt::format("./halfway advise {} --tolerance {:g}", scene, tolerance);
+    if (truth != "auto") out += " --truth " + truth;
+    if (degrees) out += fmt::format(" --degrees {:g}", *degrees);
+    if (!measure.empty()) out += " --measure " + measure;
+    if (periods > 0) out += fmt::format(" --periods {:g}", periods);
+    return out;
+  }
 };
 
 reference::Scene scene_of(const Options& options) {
@@ -42,6 +56,19 @@ std::optional<Measure> measure_of(const std::string& name) {
       fmt::format("--measure {}: allowed: norm (|theta| and |u|), each (output over itself)", name));
 }
 
+/// index.html, advice.json and, of truths that have one, map.csv.
+void write(const Options& options, const Advice& advice, const std::vector<MapColumn>& map) {
+  const auto folder = std::filesystem::path(options.folder) / advice.question.scene.name;
+  const auto put = [&](const char* name, const std::string& text) {
+    reports::write_file(folder / name, text);
+    reports::print("wrote " + reports::printable((folder / name).string()) + "\n");
+  };
+  put("advice.json",
+      advice_json(advice).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (!map.empty()) put("map.csv", map_csv(map));
+  put("index.html", advice_page(advice, map, options.command()));
+}
+
 void run(const Options& options) {
   Question question;
   question.scene = scene_of(options);
@@ -53,6 +80,8 @@ void run(const Options& options) {
   for (const std::string& note : question.scene.notes)
     reports::tell("halfway: note: " + reports::printable(note) + "\n");
   reference::complete_catalog();
+  if (!options.json)
+    reports::try_output((std::filesystem::path(options.folder) / question.scene.name).string());
   const auto costs = costs_of(question.scene);
   Advice advice = advise(question, costs);
   advice.margin = margin_of(advice, costs);
@@ -62,6 +91,7 @@ void run(const Options& options) {
   }
   reports::print(reports::printable(fmt::format("{}: {}", question.scene.name, question.scene.title)) + "\n");
   reports::print(summary_text(advice));
+  write(options, advice, adequacy_map(advice, costs));
 }
 
 }  // namespace
@@ -83,7 +113,9 @@ void add_advise(CLI::App& app) {
       ->add_option("--periods", options->periods,
                    "Periods of a motion, over which energy that a law makes adds up")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "For programs, on standard output");
+  command->add_flag("--json", options->json, "For programs, on standard output; nothing is written");
+  command->add_option("--out", options->folder, "Folder; the page goes to FOLDER/SCENE/")
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

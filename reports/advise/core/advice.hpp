@@ -53,8 +53,8 @@ struct Advice {
   const Judged* chosen() const { return choice ? &judged[*choice] : nullptr; }
 };
 
-/// Costs nearer than this are the same: what is more exact is then chosen.
-inline constexpr double kSameCost = 1.1;
+/// Costs nearer than this are the same: what is more exact, by this share of the error, is then chosen.
+inline constexpr double kSameCost = 1.1, kMoreExact = 0.5;
 
 /// The index of the candidate that is advised at that tolerance when those with these errors were to choose
 /// from; nothing where none suffices. Costs ascend.

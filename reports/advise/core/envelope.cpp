@@ -79,10 +79,13 @@ Envelope envelope_of(const Question& question, const Truth& truth) {
       question.degrees ? factor_of(question, truth, *question.degrees * kDegree) : question.scene.factor_end;
   Envelope out;
   const double end = std::min(asked, truth.last());
-  out.rows = kRows;
+  // Below the first row of data small outputs are small differences: what they would be is not known.
+  const double first = truth.rows.empty() ? 0 : std::min(truth.rows.front(), end);
   for (int i = 1; i <= kRows + kBeyond; ++i) {
     const double factor = i == kRows ? end : end * i / kRows;
-    if (i <= kRows || factor <= truth.last()) out.factors.push_back(factor);
+    if (factor < first || (i > kRows && factor > truth.last())) continue;
+    out.factors.push_back(factor);
+    if (i <= kRows) out.rows = out.factors.size();
   }
   out.is_cut = question.degrees ? turned(truth, end).value_or(0) < *question.degrees * kDegree * (1 - 1e-6)
                                 : end < asked * (1 - 1e-9);

@@ -90,7 +90,7 @@ std::optional<std::size_t> choose(const std::vector<Judged>& judged, double tole
     const Judged& j = judged[i];
     if (!(j.cost.ns > 0) || !j.suffices(tolerance)) continue;
     if (!best) best = i, cheapest = j.cost.ns;
-    if (j.cost.ns <= kSameCost * cheapest && j.error < judged[*best].error) best = i;
+    if (j.cost.ns <= kSameCost * cheapest && j.error < kMoreExact * judged[*best].error) best = i;
   }
   return best;
 }

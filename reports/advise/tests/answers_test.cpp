@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(the_block_has_none_within_one_percent_to_thirty_degrees) {
 }
 
 // verify/studies/rods holds the same to its own table, 49 degrees in steps of 5 N m.
-BOOST_AUTO_TEST_CASE(the_slender_rod_of_its_stiffness_has_invariant_to_forty_eight) {
+BOOST_AUTO_TEST_CASE(the_slender_rod_of_its_stiffness_has_invariant_to_forty_nine) {
   const Advice advice = advised({canonical("c3_buckling"), 1e-2, "rod", 47});
   BOOST_REQUIRE(advice.choice.has_value());
   BOOST_TEST(advice.chosen()->candidate.formulation() == "invariant");
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(the_slender_rod_of_its_stiffness_has_invariant_to_forty_eig
   BOOST_TEST(more.instead == "");
   BOOST_TEST(!more.beyond);
   BOOST_TEST(more.rotation * kDegrees > 47);
-  BOOST_TEST(more.rotation * kDegrees < 49.5);
+  BOOST_TEST(more.rotation * kDegrees < 50);
   BOOST_TEST(judged(advice.judged, "invariant").reach.rotation * kDegrees == 48.6,
              boost::test_tools::tolerance(0.02));
 }

@@ -137,7 +137,12 @@ std::string measured_in(const Advice& advice) {
 std::string reason(const Advice& advice) {
   const Candidate& c = advice.chosen()->candidate;
   const std::string name = c.formulation();
-  if (!c.entry) return "rotations are so small that no law of finite rotations is needed";
+  if (!c.entry) {
+    constexpr double kSmall = 0.1;  // rad
+    const bool is_small = rotation_at(advice.answers, advice.envelope.rows - 1).value_or(0) < kSmall;
+    return is_small ? "rotations are so small that no law of finite rotations is needed"
+                    : "under this load alone the answer is nearly linear, while node a stays as it is";
+  }
   if (free_shaft(advice.question))
     return "the shaft turns freely: its moments do not change as it spins, and it has no angle to jump";
   if (!c.variant.empty()) return "the angles are so small that the first terms of their series suffice";
