@@ -59,6 +59,12 @@ std::map<std::string, Cost> costs_of(const reference::Scene& scene) {
   return kernel_costs(all);
 }
 
+void answer(Advice& out, const std::map<std::string, Cost>& costs) {
+  out.judged = judge(out.question, out.truth, out.answers, out.envelope, out.measure(), costs);
+  out.choice = choose(out.judged, out.question.tolerance);
+  out.plain = out.choice ? plain_of(out) : std::nullopt;
+}
+
 Advice advise(const Question& question, const std::map<std::string, Cost>& costs) {
   refuse_unanswerable(question);
   const auto begin = std::chrono::steady_clock::now();
@@ -70,9 +76,7 @@ Advice advise(const Question& question, const std::map<std::string, Cost>& costs
         "scene {}: {} ends before load factor {:.4g}: {}", question.scene.name,
         out.has_truth() ? "the truth itself" : "invariant, by which an envelope without truth goes,",
         out.answers.factor[out.answers.value.size()], out.answers.ended));
-  out.judged = judge(question, out.truth, out.answers, out.envelope, out.measure(), costs);
-  out.choice = choose(out.judged, question.tolerance);
-  if (out.choice) out.plain = plain_of(out);
+  answer(out, costs);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }

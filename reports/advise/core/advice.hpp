@@ -60,6 +60,9 @@ inline constexpr double kSameCost = 1.1, kMoreExact = 0.5;
 /// from; nothing where none suffices. Costs ascend.
 std::optional<std::size_t> choose(const std::vector<Judged>& judged, double tolerance);
 
+/// Judgement and choice of an advice whose truth and envelope are known.
+void answer(Advice& advice, const std::map<std::string, Cost>& costs);
+
 /// All but the margins. @param costs  of Candidate::timing(); where it has none a candidate cannot be chosen.
 Advice advise(const Question& question, const std::map<std::string, Cost>& costs);
 

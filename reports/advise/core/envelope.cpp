@@ -78,9 +78,9 @@ Envelope envelope_of(const Question& question, const Truth& truth) {
   const double asked =
       question.degrees ? factor_of(question, truth, *question.degrees * kDegree) : question.scene.factor_end;
   Envelope out;
-  const double end = std::min(asked, truth.last());
   // Below the first row of data small outputs are small differences: what they would be is not known.
-  const double first = truth.rows.empty() ? 0 : std::min(truth.rows.front(), end);
+  const double first = truth.rows.empty() ? 0 : truth.rows.front();
+  const double end = std::max(std::min(asked, truth.last()), first);
   for (int i = 1; i <= kRows + kBeyond; ++i) {
     const double factor = i == kRows ? end : end * i / kRows;
     if (factor < first || (i > kRows && factor > truth.last())) continue;

@@ -2,6 +2,7 @@
 // wrong.
 #include "reports/advise/trial/trial.hpp"
 #include "reference/record/effort.hpp"
+#include "reports/views/files.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -32,6 +33,18 @@ BOOST_AUTO_TEST_CASE(random_scenes) {
     BOOST_TEST(t.is_right());
   }
   BOOST_TEST(advised >= count / 3);  // most have an answer
+}
+
+/// The kept result of all 200 is of today's questions, and all are right.
+BOOST_AUTO_TEST_CASE(all_two_hundred) {
+  const auto kept = nlohmann::json::parse(reports::read_file(HALFWAY_ADVICE_KEPT));
+  BOOST_TEST(kept.at("of") == 200);
+  BOOST_TEST(kept.at("right") == 200);
+  int number = 0;
+  for (const auto& scene : kept.at("scenes"))
+    BOOST_TEST(scene.at("tolerance").get<double>() == random_question(number++).tolerance,
+               boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(number == 200);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_advice_is_noticed) {

@@ -112,15 +112,16 @@ Answers rows_of(const Scene& scene, const json& curve, double scale) {
   return out;
 }
 
-/// Between the rows and rest by the cubic through the four nearest: a solid's curve is smooth, its rows a
-/// twentieth of it apart.
+/// Between the rows and rest by the polynomial through the six nearest: a solid's curve is smooth, its rows a
+/// twentieth of it apart. A cubic is not enough: a coupling begins with the square of the load, its next term
+/// is the fourth power.
 std::vector<double> interpolated(const Answers& rows, double factor) {
   const auto count = rows.factor.size();
   const auto x = [&](std::size_t i) { return i == 0 ? 0 : rows.factor[i - 1]; };
   const auto y = [&](std::size_t i, std::size_t output) { return i == 0 ? 0 : rows.value[i - 1][output]; };
   const auto above = std::size_t(std::ranges::lower_bound(rows.factor, factor) - rows.factor.begin()) + 1;
-  const std::size_t points = std::min<std::size_t>(4, count + 1);
-  const std::size_t first = std::min(above < 2 ? 0 : above - 2, count + 1 - points);
+  const std::size_t points = std::min<std::size_t>(6, count + 1);
+  const std::size_t first = std::min(above < 3 ? 0 : above - 3, count + 1 - points);
   std::vector<double> out(rows.outputs.size(), 0);
   for (std::size_t i = first; i < first + points; ++i) {
     double weight = 1;
