@@ -82,8 +82,9 @@ void run(const Options& options) {
   reference::complete_catalog();
   if (!options.json)
     reports::try_output((std::filesystem::path(options.folder) / question.scene.name).string());
+  Advice advice = asked(question);  // first of all: what is wrong with it is said at once
   const auto costs = costs_of(question.scene);
-  Advice advice = advise(question, costs);
+  answer(advice, costs);
   advice.margin = margin_of(advice, costs);
   if (options.json) {
     reports::print(advice_json(advice).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -65,9 +64,8 @@ void answer(Advice& out, const std::map<std::string, Cost>& costs) {
   out.plain = out.choice ? plain_of(out) : std::nullopt;
 }
 
-Advice advise(const Question& question, const std::map<std::string, Cost>& costs) {
+Advice asked(const Question& question) {
   refuse_unanswerable(question);
-  const auto begin = std::chrono::steady_clock::now();
   Advice out{question, truth_of(up_to_degrees(question), question.truth)};
   out.envelope = envelope_of(question, out.truth);
   out.answers = leading(out.truth, out.envelope.factors);
@@ -76,8 +74,12 @@ Advice advise(const Question& question, const std::map<std::string, Cost>& costs
         "scene {}: {} ends before load factor {:.4g}: {}", question.scene.name,
         out.has_truth() ? "the truth itself" : "invariant, by which an envelope without truth goes,",
         out.answers.factor[out.answers.value.size()], out.answers.ended));
+  return out;
+}
+
+Advice advise(const Question& question, const std::map<std::string, Cost>& costs) {
+  Advice out = asked(question);
   answer(out, costs);
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }
 

@@ -46,7 +46,6 @@ struct Advice {
   std::optional<std::size_t>
       plain{};  ///< the same formulation of the scene's kind in double with every digit
   Margin margin{};
-  double seconds = 0;  ///< that it took
 
   bool has_truth() const { return truth.kind != TruthKind::none; }
   Measure measure() const { return question.measure.value_or(truth.measure); }
@@ -59,6 +58,9 @@ inline constexpr double kSameCost = 1.1, kMoreExact = 0.5;
 /// The index of the candidate that is advised at that tolerance when those with these errors were to choose
 /// from; nothing where none suffices. Costs ascend.
 std::optional<std::size_t> choose(const std::vector<Judged>& judged, double tolerance);
+
+/// Truth and envelope of a question. Throws BadInput where it has no answer.
+Advice asked(const Question& question);
 
 /// Judgement and choice of an advice whose truth and envelope are known.
 void answer(Advice& advice, const std::map<std::string, Cost>& costs);

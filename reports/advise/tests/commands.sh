@@ -1,8 +1,8 @@
 #!/bin/sh
 # The command as a new user tries it: answers, files of one's own, refusals, exit codes.
-#   commands.sh HALFWAY_ADVISE SCENES
+#   commands.sh HALFWAY_ADVISE
 set -eu
-program=$1 scenes=$2
+program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -27,7 +27,13 @@ said 'use 5 % to 8.6 deg (rod4); or identify a cubic term' \
   c3_buckling --degrees 30 --tolerance 0.01
 said 'Advice: invariant' c3_buckling --truth rod --degrees 47
 grep -q 'beyond 49\.[0-9] deg none' said || { cat said; fail "the rod's margin"; }
-[ "$(wc -l <said)" -le 12 ] || fail "more than a summary"
+[ "$(grep -vc '^wrote ' said)" -le 12 ] || fail "more than a summary"
+for file in index.html advice.json map.csv; do
+  [ -s "out/advise/c3_buckling/$file" ] || fail "no $file"
+done
+grep -q '<title>Halfway: advice for c3_buckling</title>' out/advise/c3_buckling/index.html || fail "the page has no title"
+grep -q '^50,.*,invariant' out/advise/c3_buckling/map.csv || fail "the map of ratio 50 has no invariant"
+refused 2 'cannot be a folder' c1_skewed_torque --out /proc/no/such/folder
 
 # For programs: one document on stdout, nothing beside it.
 said '"schema": "halfway-advice-1"' c1_skewed_torque --json
@@ -35,7 +41,20 @@ said '"schema": "halfway-advice-1"' c1_skewed_torque --json
 [ "$(head -c 1 said)" = '{' ] || fail "--json: not a document alone"
 
 # A truth of one's own.
-sed 's/^factor_end.*/factor_end = 100/' "$scenes/c3_buckling.toml" >mine.toml
+cat >mine.toml <<'TOML'
+title = "A bushing of mine"
+outputs = ["theta_x", "theta_y", "theta_z"]
+[joint]
+kind = "angular"
+[joint.law]
+type = "linear"
+compliance = [1.59343e-3, 1.43837e-2, 4.00635e-4]
+[[load]]
+type = "fixed_moment"
+value = [0.99995, 0, 0.01]
+[path]
+factor_end = 100
+TOML
 printf 'factor, theta_x, theta_y, theta_z\n0,0,0,0\n10,0.0159,1e-5,4e-5\n50,0.0797,2e-4,2e-4\n100,0.1593,8e-4,4e-4\n' >mine.csv
 said 'mine.csv, 3 rows up to load factor 100' mine.toml --truth mine.csv
 printf 'factor,theta_x\n10,oops\n' >bad.csv
@@ -53,7 +72,7 @@ refused 2 'bad.csv: no row with a load factor above 0' mine.toml --truth bad.csv
 refused 2 '--truth none.csv: no such file' mine.toml --truth none.csv
 
 # What is wrong with the question.
-refused 2 "unknown scene 'c3_buckeling'; did you mean 'c3_buckling'?" c3_buckeling
+refused 2 "unknown scene 'c3_buckeling' (did you mean 'c3_buckling'?)" c3_buckeling
 refused 2 'nowhere.toml: no such scene file' nowhere.toml
 printf 'title = "x"\n[joint]\nkind = "angular"\n' >broken.toml
 refused 2 'broken.toml' broken.toml

@@ -1,5 +1,6 @@
 #include "reports/views/cheapest.hpp"
 
+#include "reference/record/worst.hpp"
 #include "reports/advise/core/advice.hpp"
 
 #include <fmt/format.h>
@@ -81,7 +82,7 @@ nlohmann::json row(const Advice& advice, const Costs& costs) {
   if (!c.entry) note += "; the linear analysis: loads alone, its tangent is one matrix";
   const Judged* exact = most_exact(advice);
   // At least what rounding leaves of the truth.
-  const double error = std::max(chosen->error, std::numeric_limits<double>::epsilon() / 2);
+  const double error = reference::larger(chosen->error, std::numeric_limits<double>::epsilon() / 2);
   json["kind"] = to_string(c.kind);
   json.update({{"formulation", c.formulation()},
                {"implementation", "kernel"},
