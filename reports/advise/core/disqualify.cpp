@@ -108,6 +108,14 @@ std::optional<int> free_shaft(const Question& question) {
   return out;
 }
 
+std::vector<double> node_order_errors(const reference::Scene& scene, const Candidate& c,
+                                      const Answers& answers) {
+  if (!c.entry || !is_odd(scene.joint.law) || c.entry->facts.node_order.of(c.kind).holds()) return {};
+  const std::vector<double> factors(answers.factor.begin(),
+                                    answers.factor.begin() + std::ptrdiff_t(answers.value.size()));
+  return errors_of(follow(scene, c, factors, true), answers, Measure::norm);
+}
+
 Defects defects_of(const Question& question, const Candidate& c, const Answers& answers, std::size_t rows) {
   Defects out;
   if (!c.entry) return out;
@@ -120,6 +128,9 @@ Defects defects_of(const Question& question, const Candidate& c, const Answers& 
     reference::keep_largest(out.balance, unbalanced(*c.entry, spec, b));
     reference::keep_largest(amplitude, so3::log<double>(spec.a.H.transpose() * b.R * spec.b.H).norm());
   }
+  if (!answers.factor.empty())
+    for (std::size_t i = 0; const double change : node_order_errors(question.scene, c, answers))
+      if (i++ < rows) reference::keep_largest(out.node_order, change);
   out.energy = energy_made(question, *c.entry, c.kind, amplitude);
   if (const auto shaft = free_shaft(question); shaft && last > 0)
     out.spin = spin_change(*c.entry, spec, answers.node[last - 1], *shaft);
@@ -134,7 +145,7 @@ std::string disqualified(const Question& question, const Candidate& c, const Ans
   const double limit = question.tolerance;
   // Written so that what is no number is out.
   if (!(defects.node_order <= limit))
-    return fmt::format("depends on the order of the nodes: {} of the loads", percent(defects.node_order));
+    return fmt::format("depends on the order of the nodes, by {}", percent(defects.node_order));
   if (!(defects.balance <= limit))
     return fmt::format("moments do not balance: {} of them", percent(defects.balance));
   if (!(defects.energy <= limit))

@@ -35,6 +35,8 @@ std::vector<double> against(const Question& question, const Candidate& c, const 
     for (const double defect : {defects.node_order, defects.balance, defects.energy, defects.spin})
       reference::keep_largest(out[i], defect);
   }
+  const std::vector<double> order = node_order_errors(question.scene, c, path);
+  for (std::size_t i = 0; i < order.size() && i < out.size(); ++i) reference::keep_largest(out[i], order[i]);
   return out;
 }
 

@@ -59,10 +59,10 @@ Cost timed() {
   constexpr double kRoundings = columns * 1.2e-16;  // a sum of as many products
   const double error = linear.error();
   if (!(error <= kRoundings)) throw std::logic_error("the linear loads are wrong");
-  constexpr int kRounds = 9, kCalls = 60;
+  constexpr int kTimes = 9, kCalls = 60;
   std::vector<double> ns;
   double out[rows];
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kTimes; ++round) {
     const double begin = thread_ns();
     for (int call = 0; call < kCalls; ++call) {
       for (const auto& x : linear.motion) {

@@ -38,6 +38,8 @@ std::vector<Candidate> candidates_of(const reference::Scene& scene);
 std::optional<reference::Scene> as_kind(const reference::Scene& scene, Kind kind);
 
 /// Its path through the scene at these factors, ascending.
-Answers follow(const reference::Scene& scene, const Candidate& candidate, const std::vector<double>& factors);
+/// @param exchanged  with the clamped node listed as b, the frame xi seen from there
+Answers follow(const reference::Scene& scene, const Candidate& candidate, const std::vector<double>& factors,
+               bool exchanged = false);
 
 }  // namespace halfway::advise

@@ -46,11 +46,13 @@ Pose<double> in_float(const reference::EquilibriumProblem<double>& single, const
   return single.displaced(joint, reference::lu_solve(balance.tangent, balance.imbalance));
 }
 
-void follow_path(const Scene& scene, const Scene& own, const Candidate& c, Answers& out) {
+void follow_path(const Scene& scene, const Scene& own, const Candidate& c, bool exchanged, Answers& out) {
   const Entry entry = evaluated(c);
   const bool single = c.precision == "float";
-  Path<double> path(own, single ? *c.entry : entry, c.xi);
-  const reference::EquilibriumProblem<double> rounded(own, entry, c.xi);
+  const reference::Setting setting{exchanged};
+  const double xi = exchanged ? 1 - c.xi : c.xi;
+  Path<double> path(own, single ? *c.entry : entry, xi, setting);
+  const reference::EquilibriumProblem<double> rounded(own, entry, xi, setting);
   const double radius = reference::convex_radius(*c.entry, own.joint);
   for (const double factor : out.factor) {
     const auto& state = path.advance(factor);
@@ -71,14 +73,15 @@ void follow_path(const Scene& scene, const Scene& own, const Candidate& c, Answe
 
 }  // namespace
 
-Answers follow(const Scene& scene, const Candidate& candidate, const std::vector<double>& factors) {
+Answers follow(const Scene& scene, const Candidate& candidate, const std::vector<double>& factors,
+               bool exchanged) {
   Answers out{scene.outputs, factors, {}};
   Scene own = candidate.kind == scene.joint.kind ? scene : *as_kind(scene, candidate.kind);
   // Directions without stiffness are held: no load works there (asked before), so that it makes no
   // difference.
   if (const auto held = reference::held(own, 1)) own = *held;
   if (candidate.entry)
-    follow_path(scene, own, candidate, out);
+    follow_path(scene, own, candidate, exchanged, out);
   else
     follow_linear(scene, own, out);
   return out;

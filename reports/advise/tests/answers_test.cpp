@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_shaft_that_spins_is_a_polynomial_of_quaternions) {
   BOOST_REQUIRE(advice.choice.has_value());
   const std::string name = advice.chosen()->candidate.formulation();
   BOOST_TEST((name == "quaternion" || name == "fasse"), name);
-  for (const char* other : {"potential", "invariant", "conformal", "cayley", "field_a"})
+  for (const char* other : {"potential", "invariant", "conformal", "cayley"})
     BOOST_TEST(judged(advice.judged, other).disqualified.find("shaft") != std::string::npos, other);
   // With a bound it is no shaft.
   BOOST_TEST(judged(advised({scene, 2e-2, "none", 3}).judged, "potential").disqualified == "");

@@ -145,7 +145,7 @@ std::string reason(const Advice& advice) {
   }
   if (free_shaft(advice.question))
     return "the shaft turns freely: its moments do not change as it spins, and it has no angle to jump";
-  if (!c.variant.empty()) return "the angles are so small that the first terms of their series suffice";
+  if (!c.variant.empty()) return "the first terms of the series of its angle suffice up to there";
   if (c.precision == "float") return "the tolerance asks for no more than seven digits";
   if (name.starts_with("attached") || name == "field_a" || name == "field_b")
     return "rotations are so small that the law may sit at a node";
