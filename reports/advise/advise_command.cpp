@@ -27,7 +27,7 @@ struct Options {
   std::string truth = "auto", measure;
   std::optional<double> degrees;
   double periods = 0;
-  bool json = false;
+  bool json = false, moving = false;
   std::string folder = "out/advise";
 
   std::string command() const {
@@ -35,6 +35,7 @@ struct Options {
     if (truth != "auto") out += " --truth " + truth;
     if (degrees) out += fmt::format(" --degrees {:g}", *degrees);
     if (!measure.empty()) out += " --measure " + measure;
+    if (moving) out += " --moving";
     if (periods > 0) out += fmt::format(" --periods {:g}", periods);
     return out;
   }
@@ -77,6 +78,7 @@ void run(const Options& options) {
   question.degrees = options.degrees;
   question.measure = measure_of(options.measure);
   question.periods = options.periods;
+  question.is_moving = options.moving;
   for (const std::string& note : question.scene.notes)
     reports::tell("halfway: note: " + reports::printable(note) + "\n");
   reference::complete_catalog();
@@ -114,6 +116,7 @@ void add_advise(CLI::App& app) {
       ->add_option("--periods", options->periods,
                    "Periods of a motion, over which energy that a law makes adds up")
       ->capture_default_str();
+  command->add_flag("--moving", options->moving, "Node a turns as well: no linear analysis");
   command->add_flag("--json", options->json, "For programs, on standard output; nothing is written");
   command->add_option("--out", options->folder, "Folder; the page goes to FOLDER/SCENE/")
       ->capture_default_str();

@@ -153,6 +153,7 @@ std::string disqualified(const Question& question, const Candidate& c, const Ans
                        question.periods);
   if (!(defects.spin <= limit))
     return fmt::format("is no shaft: as it spins freely the moment changes by {}", percent(defects.spin));
+  if (!c.entry && question.is_moving) return "does not turn with node a";
   if (!c.entry && free_shaft(question)) return "is no shaft: linear rotations do not turn through";
   return "";
 }

@@ -14,7 +14,8 @@ struct Question {
   std::optional<double>
       degrees{};  ///< the envelope ends where the truth has turned so far; else at the scene's load
   std::optional<Measure> measure{};  ///< else the truth's own
-  double periods = 0;  ///< of the motion that the joint is used in: energy that a law makes adds up
+  bool is_moving = false;  ///< does node a turn as well? Then the linear analysis of the scene says nothing
+  double periods = 0;      ///< of the motion that the joint is used in: energy that a law makes adds up
 };
 
 /// Load factors from rest on: so many are the envelope, the rest lies beyond it, for margins.

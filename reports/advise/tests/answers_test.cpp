@@ -65,6 +65,21 @@ BOOST_AUTO_TEST_CASE(a_shaft_that_spins_is_a_polynomial_of_quaternions) {
   BOOST_TEST(judged(advised({scene, 2e-2, "none", 3}).judged, "potential").disqualified == "");
 }
 
+BOOST_AUTO_TEST_CASE(what_moves_for_long_has_a_potential) {
+  Question q{canonical("c3_buckling"), 5e-3, "rod", 15};
+  BOOST_TEST(advised(q).chosen()->candidate.formulation() == "invariant");
+  q.periods = 1000;
+  const std::string name = advised(q).chosen()->candidate.formulation();
+  BOOST_TEST(reference::find_formulation(name)->has_potential(Kind::angular), name);
+}
+
+BOOST_AUTO_TEST_CASE(what_turns_as_a_whole_is_not_linear) {
+  Question q{rod_scene({1, 2, 3}, {0.002, 0.001, 0.002}), 1e-2, "rod"};
+  q.is_moving = true;
+  BOOST_TEST(judged(advised(q).judged, "linearized").disqualified == "does not turn with node a");
+  BOOST_TEST(advised(q).chosen()->candidate.formulation() != "linearized");
+}
+
 // The frustum's xi is 0.5538 by its second-order coupling (README).
 BOOST_AUTO_TEST_CASE(a_body_without_mirror_symmetry_has_its_own_xi) {
   const Advice advice = advised({canonical("c4_frustum"), 6e-3, "body"});

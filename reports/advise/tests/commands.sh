@@ -71,6 +71,12 @@ refused 2 'load factor 200, lies beyond what is asked' mine.toml --truth bad.csv
 refused 2 'bad.csv: no row with a load factor above 0' mine.toml --truth bad.csv
 refused 2 '--truth none.csv: no such file' mine.toml --truth none.csv
 
+# Laws that no kernel takes, and a shaft.
+sed -e 's/^compliance.*/k1 = [10, 20, 30]\nk3 = [5, 5, 5]/' -e 's/"linear"/"polynomial"/' -e 's/^factor_end.*/factor_end = 0.1/' mine.toml >curved.toml
+said 'Advice: fasse' curved.toml --moving
+sed -e 's/^compliance.*/stiffness = [0, 30, 30]/' -e 's/^value.*/value = [0, 2, 1]/' -e 's/^factor_end.*/factor_end = 1/' mine.toml >shaft.toml
+said 'the shaft turns freely' shaft.toml
+
 # What is wrong with the question.
 refused 2 "unknown scene 'c3_buckeling' (did you mean 'c3_buckling'?)" c3_buckeling
 refused 2 'nowhere.toml: no such scene file' nowhere.toml
