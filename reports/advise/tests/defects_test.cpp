@@ -121,6 +121,16 @@ BOOST_AUTO_TEST_CASE(theory) {
   }
   const double linear = errors_of(follow(scene, {}, {1}), exact, Measure::norm)[0];
   BOOST_TEST(*second_order_error(truth, {}, 1) == linear, boost::test_tools::tolerance(0.05));
+  // What suffices is never left out by it; what misses by far is not computed.
+  for (const double near : {1.05, 1.5, 4.}) {
+    const Advice advice = advised({scene, near * linear, "rod"});
+    BOOST_TEST(!judged(advice.judged, "linearized").by_theory);
+    BOOST_TEST(advice.chosen()->candidate.formulation() == "linearized");
+  }
+  const Advice far = advised({scene, linear / 10, "rod"});
+  BOOST_TEST(judged(far.judged, "linearized").by_theory);
+  BOOST_TEST(!judged(far.judged, "linearized").suffices(linear / 10));
+  BOOST_TEST(judged(far.judged, "linearized").error == linear, boost::test_tools::tolerance(0.05));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
