@@ -18,6 +18,8 @@ std::string envelope_text(const Advice& advice) {
       out += fmt::format(", {:.3g} deg", *rotation / kDegree);
   }
   if (advice.envelope.is_cut) out += " (there the data end)";
+  const auto& rows = advice.truth.rows;
+  if (!rows.empty() && advice.envelope.rows == 1 && end == rows.front()) out += " (there the data begin)";
   return out;
 }
 
