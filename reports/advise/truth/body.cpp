@@ -175,7 +175,6 @@ Truth body_truth(const Scene& scene) {
       vector_of(file.at("inputs").at(scene.joint.kind == Kind::angular ? "moment" : "force"));
   const Answers rows = rows_of(scene, *curve, full.norm() / scene.loads.front().value.norm());
   out.rows = rows.factor;
-  out.error = std::nan("");
   out.at = [rows](const std::vector<double>& factors) { return answers_at(rows, factors); };
   return out;
 }

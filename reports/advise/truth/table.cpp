@@ -103,7 +103,6 @@ Truth table_truth(const reference::Scene& scene, const std::string& file) {
   out.scene.outputs = rows.outputs;
   out.rows = rows.factor;
   out.is_smooth = false;
-  out.error = std::nan("");
   out.at = [rows](const std::vector<double>& factors) {
     Answers some = rows;
     some.factor.resize(std::min(factors.size(), rows.factor.size()));

@@ -28,7 +28,6 @@ struct Truth {
   std::function<Answers(const std::vector<double>&)> at;
   std::vector<double> rows{};       ///< the load factors of data; empty: any can be asked for
   bool is_smooth = true;            ///< data between whose rows can be read; else `at` has those rows alone
-  double error = 0;                 ///< that it carries itself, relative; NaN: not known
   Measure measure = Measure::norm;  ///< what its users look at
 
   double last() const { return rows.empty() ? std::numeric_limits<double>::infinity() : rows.back(); }

@@ -82,6 +82,7 @@ Json advice_json(const Advice& advice) {
               {"outputs", advice.truth.scene.outputs},
               {"kind", to_string(advice.truth.scene.joint.kind)}};
   out["truth"] = {{"kind", to_string(advice.truth.kind)}, {"described", advice.truth.described}};
+  if (const auto known = known_to(advice)) out["truth"]["known_to"] = *known;
   out["envelope"] = {{"factor_end", advice.envelope.end()}, {"data_end_before", advice.envelope.is_cut}};
   if (advice.envelope.rows <= advice.answers.value.size())
     if (const auto rotation = rotation_at(advice.answers, advice.envelope.rows - 1))

@@ -136,6 +136,12 @@ std::string measured_in(const Advice& advice) {
                                     : "in the norm of theta";
 }
 
+std::optional<double> known_to(const Advice& advice) {
+  const auto rotation = rotation_at(advice.answers, advice.envelope.rows - 1);
+  if (!(advice.answers.error > 0) || !(rotation.value_or(0) > 0)) return std::nullopt;
+  return advice.answers.error / *rotation;
+}
+
 std::string reason(const Advice& advice) {
   const Candidate& c = advice.chosen()->candidate;
   const std::string name = c.formulation();
@@ -192,7 +198,11 @@ std::string remark(const Advice& advice, std::size_t i) {
 
 std::string summary_text(const Advice& advice) {
   const Question& q = advice.question;
-  std::string out = fmt::format("Truth: {}.\n", advice.truth.described);
+  std::string out = fmt::format("Truth: {}", advice.truth.described);
+  if (const auto known = known_to(advice))
+    out += fmt::format(", known to {}{}", percent(*known),
+                       *known > q.tolerance ? ", which is less than was asked" : "");
+  out += ".\n";
   out += fmt::format("Asked: within {} {}, {}; {} candidates.\n", percent(q.tolerance), measured_in(advice),
                      envelope_text(advice), advice.judged.size());
   if (const Judged* chosen = advice.chosen()) {

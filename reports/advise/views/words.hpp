@@ -10,6 +10,10 @@ namespace halfway::advise {
 /// About ten lines for the terminal.
 std::string summary_text(const Advice& advice);
 
+/// What the truth itself is known to, relative to its rotation at the end of the envelope; nothing where that
+/// is not known.
+std::optional<double> known_to(const Advice& advice);
+
 /// Why it is this one, in one sentence.
 std::string reason(const Advice& advice);
 
