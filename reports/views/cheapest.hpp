@@ -5,9 +5,9 @@
 
 namespace halfway::reports {
 
-/// For each canonical scene of the results and each tolerance the choice of least time, as in
-/// speed.cheapest[] of SCHEMA.md. Scenes are solved again with every kernel that was timed, so that an
-/// error is that of what was timed. Empty without timings.
+/// Made by reports/advise/table. For each canonical scene of the results and each tolerance the choice of
+/// least time, as in speed.cheapest[] of SCHEMA.md: what `halfway advise SCENE --truth form` answers with the
+/// costs of these results. Empty without timings.
 nlohmann::json cheapest(const Results& results);
 
 }  // namespace halfway::reports

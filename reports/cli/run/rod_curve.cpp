@@ -39,6 +39,12 @@ Principal principal_stiffness(const Scene& scene) {
 }  // namespace
 
 reference::Curve rod_curve(const Scene& scene) {
+  std::vector<double> factors;
+  for (int i = 0; i <= scene.points; ++i) factors.push_back(scene.factor_end * i / scene.points);
+  return rod_curve(scene, factors);
+}
+
+reference::Curve rod_curve(const Scene& scene, const std::vector<double>& factors) {
   const Principal law = principal_stiffness(scene);
   const Mat3<double> Q = scene.joint.a.H * law.eigenvectors();  // section -> scene
   Vec3<double> moment = Vec3<double>::Zero();
@@ -46,8 +52,6 @@ reference::Curve rod_curve(const Scene& scene) {
   reference::Curve out = reference::empty_curve(scene, {nullptr, 0.5});
   out.formulation = "rod";
   const Pose<double> rest = reference::rest_pose(scene);
-  std::vector<double> factors;
-  for (int i = 0; i <= scene.points; ++i) factors.push_back(scene.factor_end * i / scene.points);
   const auto rod = reference::rod::straight(1, reference::rod::of_stiffness(law.eigenvalues()));
   // A left-handed set of axes names the same section: R = Q R' Q^T either way, with moments as axial vectors.
   const double hand = Q.determinant() < 0 ? -1 : 1;

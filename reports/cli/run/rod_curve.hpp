@@ -11,4 +11,7 @@ namespace halfway::reports {
 /// space.
 reference::Curve rod_curve(const reference::Scene& scene);
 
+/// The same at other load factors, ascending from 0 on.
+reference::Curve rod_curve(const reference::Scene& scene, const std::vector<double>& factors);
+
 }  // namespace halfway::reports

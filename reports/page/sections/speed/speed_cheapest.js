@@ -28,7 +28,8 @@ const madeOf = (c) =>
 
 const NOTE =
   'Per scene and tolerance: the cheapest formulation, precision and method whose measured error stays below it. ' +
-  'All times here include the tangent, which a solver needs: kernel or transcription, as said. ' +
+  'It is what ./halfway advise answers for each. All times here include the tangent, which a solver needs, but for ' +
+  'the linear analysis, whose tangent is one matrix. ' +
   'The truth of a scene is one of the formulations at 50 digits, named in its row; where that formulation itself ' +
   'is the choice (†) the error is that of its arithmetic and says nothing about modelling; ' +
   'a body’s own truth is under “Who is right?”. ' +
