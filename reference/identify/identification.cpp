@@ -1,0 +1,182 @@
+#include "reference/identify/identification.hpp"
+
+#include "reference/identify/catalog.hpp"
+#include "reference/identify/linear_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace halfway::reference::identify {
+namespace {
+
+constexpr std::array<Stage, 5> kStages = {Stage::half_way, Stage::one_xi, Stage::two_xi, Stage::cubic,
+                                          Stage::per_pair};
+
+void add(std::vector<int>& places, int first, int count) {
+  for (int i = 0; i < count; ++i) places.push_back(first + i);
+}
+
+std::vector<int> linear_places(Kind kind) {
+  std::vector<int> out;
+  if (kind != Kind::linear) add(out, kAngularStiffness, 3), add(out, kAngularAxes, 3);
+  if (kind != Kind::angular) add(out, kLinearStiffness, 3), add(out, kLinearAxes, 3);
+  if (kind == Kind::linear_angular) add(out, kCoupling, 6), add(out, kJointPoint, 3);
+  return out;
+}
+
+MakeModel maker(const Frame& frame) {
+  return [frame](const Unknowns& p) { return second_order_model(frame, values_of(frame, p)); };
+}
+
+/// Is there anything that can be asked of a joint?
+void check(const Data& data) {
+  const auto size = sizes(data);
+  const bool loads = size[2] > 0 || size[3] > 0, motions = size[0] > 0 || size[1] > 0;
+  if (!loads) throw NotIdentifiable("all loads are zero: nothing tells a stiffness");
+  if (!motions) throw NotIdentifiable("all displacements and rotations are zero: nothing tells a stiffness");
+  if (measured_count(data) == 0) throw NotIdentifiable("no number was measured");
+}
+
+void check_enough(const Data& data, const Fit& fit) {
+  if (fit.degrees > 0) return;
+  throw NotIdentifiable(
+      fmt::format("{} measured numbers for {} unknowns: no interval can be given; more rows are needed",
+                  measured_count(data), fit.freedom.active.size()));
+}
+
+/// Unknowns begin anew from where a fit ended: axes and stiffnesses become the frame, what is left of them
+/// zero.
+void rebase(Frame& frame, Unknowns& p) {
+  const JointValues v = values_of(frame, p);
+  frame.H = v.H, frame.E = v.E, frame.angular = v.angular, frame.linear = v.linear;
+  p.segment<12>(0).setZero();
+}
+
+StageFit fit_stage(Stage stage, const Data& data, const Frame& frame, const Unknowns& start,
+                   const std::vector<Dropped>& open, const std::array<double, kChannels>& sigma) {
+  Freedom freedom = freedom_of(stage, data.kind);
+  std::erase_if(freedom.active, [&](int place) {
+    return std::any_of(open.begin(), open.end(), [&](const Dropped& one) { return one.place == place; });
+  });
+  StageFit out{stage, {}, open};
+  out.fit = fit_identifiable(data, maker(frame), start, freedom, sigma, out.left_open);
+  return out;
+}
+
+void compare_stages(Identification& out) {
+  for (std::size_t i = 0; i < out.stages.size(); ++i) {
+    if (out.stages[i].fit.converged && out.stages[i].fit.variance < out.stages[out.closest].fit.variance)
+      out.closest = i;
+  }
+  const Fit& closest = out.stages[out.closest].fit;
+  for (StageFit& one : out.stages) one.probability = probability_of(one.fit, closest);
+  out.chosen = out.closest;
+  for (std::size_t i = 0; i < out.stages.size(); ++i) {
+    const StageFit &one = out.stages[i], &so_far = out.stages[out.chosen];
+    if (one.probability < kRejected) continue;
+    const auto unknowns = one.fit.freedom.active.size(), fewest = so_far.fit.freedom.active.size();
+    if (unknowns < fewest || (unknowns == fewest && one.fit.sum_of_squares() < so_far.fit.sum_of_squares()))
+      out.chosen = i;
+  }
+  for (double& sigma : out.sigma) sigma *= std::sqrt(closest.variance);
+}
+
+}  // namespace
+
+double probability_of(const Fit& one, const Fit& closest) {
+  if (!one.converged) return 0;
+  const double worse = one.sum_of_squares() - closest.sum_of_squares();
+  const double more = std::max(1., double(closest.freedom.active.size()) - double(one.freedom.active.size()));
+  return worse > 0 ? fisher_tail(worse / more / closest.variance, more, closest.degrees) : 1;
+}
+
+const char* to_string(Stage stage) {
+  switch (stage) {
+    case Stage::half_way:
+      return "half_way";
+    case Stage::one_xi:
+      return "one_xi";
+    case Stage::two_xi:
+      return "two_xi";
+    case Stage::cubic:
+      return "cubic";
+    default:
+      return "per_pair";
+  }
+}
+
+Freedom freedom_of(Stage stage, Kind kind) {
+  Freedom out;
+  std::iota(out.source.begin(), out.source.end(), 0);
+  out.active = linear_places(kind);
+  if (kind == Kind::linear) return out;  // nothing turns: there is no second order
+  const bool has_forces = kind == Kind::linear_angular;
+  const auto follow = [&](int first, int place) {
+    for (int i = 0; i < 3; ++i) out.source[std::size_t(first + i)] = place;
+  };
+  switch (stage) {
+    case Stage::half_way:
+      break;
+    case Stage::one_xi:
+      add(out.active, kXiAngular, 1);
+      follow(kXiAngular, kXiAngular), follow(kXiLinear, kXiAngular);
+      break;
+    case Stage::two_xi:
+      add(out.active, kXiAngular, 1), follow(kXiAngular, kXiAngular);
+      if (has_forces) add(out.active, kXiLinear, 1);
+      follow(kXiLinear, kXiLinear);
+      break;
+    case Stage::cubic:
+      add(out.active, kCubic, 1);
+      if (has_forces) add(out.active, kXiLinear, 3);
+      break;
+    default:
+      add(out.active, kXiAngular, 3);
+      if (has_forces) add(out.active, kXiLinear, 3);
+  }
+  return out;
+}
+
+const StageFit& Identification::stage(Stage which) const {
+  const auto found =
+      std::find_if(stages.begin(), stages.end(), [&](const StageFit& one) { return one.stage == which; });
+  return found == stages.end() ? stages.back() : *found;
+}
+
+Identification identify(const Data& data, bool with_catalog) {
+  check(data);
+  const LinearStart start = linear_start(data);
+  Identification out;
+  out.frame = start.frame;
+  const std::array<double, kChannels>& given = data.sigma;
+  // First the stiffness; what it leaves open stays so. Its axes are the frame of what follows.
+  StageFit linear = fit_stage(Stage::half_way, data, out.frame, start.unknowns, {}, given);
+  check_enough(data, linear.fit);
+  Unknowns p = linear.fit.p;
+  rebase(out.frame, p);
+  // Most is asked first: its residual is the noise that the others are judged by.
+  StageFit rich = fit_stage(Stage::per_pair, data, out.frame, p, linear.left_open, given);
+  check_enough(data, rich.fit);
+  p = rich.fit.p;
+  rebase(out.frame, p);
+  out.sigma = rich.fit.sigma;
+  for (const Stage stage : kStages) {
+    if (stage == Stage::two_xi && data.kind != Kind::linear_angular) continue;
+    if (stage != Stage::per_pair && stage != Stage::half_way && data.kind == Kind::linear) continue;
+    Unknowns from = p;
+    if (stage != Stage::per_pair) from.segment<6>(kXiAngular).setConstant(0.5);
+    out.stages.push_back(fit_stage(stage, data, out.frame, from, linear.left_open, out.sigma));
+  }
+  compare_stages(out);
+  const StageFit& last = out.stages.back();
+  for (const Dropped& one : last.left_open)
+    out.left_open.push_back(
+        {one.place, name_of(one.place), reason_of(one, data, out.frame, last.fit, maker(out.frame))});
+  if (with_catalog) fit_catalog(data, out);
+  return out;
+}
+
+}  // namespace halfway::reference::identify
