@@ -10,6 +10,13 @@ namespace {
 
 bool is_coupling(int place) { return place >= kCoupling && place < kJointPoint; }
 
+/// Of the stiffness alone.
+Freedom without_second_order(Freedom freedom) {
+  std::erase_if(freedom.active, [](int place) { return place >= kXiAngular && place <= kCubic; });
+  for (int i = 0; i < kPlaces; ++i) freedom.source[std::size_t(i)] = i;
+  return freedom;
+}
+
 double largest_turn(const Data& data) {
   double out = 0;
   for (const LoadCase& one : data.cases) {
@@ -35,9 +42,17 @@ CatalogFit fit_one(const Entry& entry, const Data& data, const Identification& f
   out.is_conservative = entry.has_potential(data.kind);
   out.left_out = why_not(entry, data, found);
   if (!out.left_out.empty()) return out;
-  const StageFit& from = found.stage(entry.needs_xi ? Stage::one_xi : Stage::half_way);
-  Freedom freedom = from.fit.freedom;
+  const StageFit& chosen = found.chosen_stage();
+  const StageFit& from = chosen.stage == Stage::axis_laws ? chosen : found.stage(Stage::half_way);
+  Freedom freedom = without_second_order(from.fit.freedom);
   Unknowns start = from.fit.p;
+  start.segment<6>(kXiAngular).setConstant(0.5);
+  start[kCubic] = 0;
+  const StageFit& one_xi = found.stage(Stage::one_xi);
+  if (entry.needs_xi && one_xi.fit.is_active(kXiAngular)) {
+    freedom.active.push_back(kXiAngular);
+    start[kXiAngular] = one_xi.fit.p[kXiAngular];
+  }
   if (entry.block_diagonal_law_only) {
     std::erase_if(freedom.active, is_coupling);
     start.segment<6>(kCoupling).setZero();
@@ -58,7 +73,7 @@ void fit_catalog(const Data& data, Identification& out) {
   // By the weights of the closest: its scatter is 1.
   const double count = double(measured_count(data));
   Fit closest = out.stages[out.closest].fit;
-  closest.weighted /= std::sqrt(closest.variance);
+  closest.weighted /= std::sqrt(closest.variance);  // found.sigma has it now
   closest.variance = 1;
   for (const Entry& entry : formulations()) {
     CatalogFit one = fit_one(entry, data, out);

@@ -32,15 +32,16 @@ JointValues truth_of(Kind kind) {
   return v;
 }
 
-constexpr int kRows = 4;
+/// Rows one way.
+int rows_of(Kind kind) { return kind == Kind::angular ? 4 : 2; }
 
 /// Up to that load, both ways: second order does not change its sign with the load, first order does.
-LoadCase loaded_case(const Vec6& load) {
+LoadCase loaded_case(const Vec6& load, int rows) {
   LoadCase one;
   one.has_load.fill(true), one.has_motion.fill(true);
-  for (int row = -kRows; row <= kRows; ++row) {
+  for (int row = -rows; row <= rows; ++row) {
     if (row == 0) continue;
-    one.loads.push_back(load * row / kRows);
+    one.loads.push_back(load * row / rows);
     one.motions.push_back(Vec6::Zero());
   }
   return one;
@@ -119,7 +120,7 @@ Bench bench(const std::string& name) {
   const Model model = out.is_per_pair ? second_order_model(frame, out.truth)
                                       : catalog_model(*find_formulation("intrinsic"), frame, out.truth);
   for (const Vec6& load : programme(out.data.kind, out.truth)) {
-    LoadCase one = loaded_case(load);
+    LoadCase one = loaded_case(load, rows_of(out.data.kind));
     answer(model, out.data.kind, one);
     if (name == "held" && out.data.cases.size() % 2 == 1) hold(one);
     out.data.cases.push_back(std::move(one));

@@ -15,7 +15,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 double limit_of(int place) {
   if (place >= kAngularAxes && place < kLinearStiffness) return 0.35;  // rad
   if (place >= kLinearAxes && place < kCoupling) return 0.35;
-  return 0.5;
+  return place >= kXiAngular && place < kCubic ? 0.25 : 0.5;
 }
 
 /// Of two that the data cannot tell apart the first goes: coupling before axes before all others.
@@ -80,12 +80,12 @@ std::string pair_text(int i) {
 /// The two stiffnesses of a pair are the same as far as the data tell.
 std::string isotropic(const Vec3<double>& k, const Fit& fit, int stiffness, int i, bool is_angular) {
   const int j = (i + 1) % 3, l = (i + 2) % 3;
+  if (!fit.is_active(stiffness + j) || !fit.is_active(stiffness + l)) return "";
   const double apart = std::abs(std::log(k[j] / k[l]));
   const double noise = std::hypot(fit.deviation(stiffness + j), fit.deviation(stiffness + l));
   if (!(apart < 0.01 || apart < 3 * noise)) return "";
-  return fmt::format("the stiffnesses {} the axes {} and {} are the same within {:.2g} %",
-                     is_angular ? "about" : "along", std::min(j, l) + 1, std::max(j, l) + 1,
-                     100 * std::max(apart, 2 * noise));
+  return fmt::format("the stiffnesses {} the two axes are the same within {:.1g} %",
+                     is_angular ? "about" : "along", 100 * std::max(apart, 2 * noise));
 }
 
 std::string small(const Data& data, const MakeModel& make, const Fit& fit, double deviation) {
@@ -106,8 +106,8 @@ std::string of_xi(int i, bool is_angular, double deviation, const Data& data, co
   const double one = largest(data, make, fit, [&](const Vec6& z) { return z.segment<3>(off).squaredNorm(); });
   if (one == 0) return is_angular ? "nothing turns the joint" : "nothing moves the joint";
   if (both < 1e-7 * one)
-    return fmt::format("no case {} it {} the axes {} and {} at once", is_angular ? "turns" : "moves",
-                       is_angular ? "about" : "along", std::min(j, k) + 1, std::max(j, k) + 1);
+    return is_angular ? "no case turns it about both axes at once"
+                      : "no case moves it along both axes at once";
   const std::string same = isotropic(is_angular ? v.angular : v.linear, fit,
                                      is_angular ? kAngularStiffness : kLinearStiffness, i, is_angular);
   if (!same.empty()) return same + ": there xi has no effect";

@@ -12,8 +12,8 @@
 namespace halfway::reference::identify {
 namespace {
 
-constexpr std::array<Stage, 5> kStages = {Stage::half_way, Stage::one_xi, Stage::two_xi, Stage::cubic,
-                                          Stage::per_pair};
+constexpr std::array<Stage, 5> kStages = {  // without axis_laws, which begin at one of them
+    Stage::half_way, Stage::one_xi, Stage::two_xi, Stage::cubic, Stage::per_pair};
 
 void add(std::vector<int>& places, int first, int count) {
   for (int i = 0; i < count; ++i) places.push_back(first + i);
@@ -66,6 +66,53 @@ StageFit fit_stage(Stage stage, const Data& data, const Frame& frame, const Unkn
   return out;
 }
 
+/// Largest rotation and displacement: what k3 is measured by.
+void set_range(const Data& data, Frame& frame) {
+  double turn = 0, reach = 0;
+  for (const LoadCase& one : data.cases) {
+    for (const Vec6& z : one.motions)
+      turn = std::max(turn, z.tail<3>().norm()), reach = std::max(reach, z.head<3>().norm());
+  }
+  frame.turn = turn > 0 ? turn : 1;
+  frame.reach = reach > 0 ? reach : 1;
+}
+
+/// The turn that makes an unknown's axes, counted from E, those of H.
+Vec3<double> back(const Mat3<double>& E) {
+  return so3::log(so3::quaternion<double>(Mat3<double>(E.transpose())));
+}
+
+/// Where the law along an axis is curved: from the stage that is chosen, without coupling. Third order is in
+/// any body; it is told where it is half of what second order leaves.
+void try_axis_laws(const Data& data, Identification& out) {
+  const StageFit from = out.chosen_stage();
+  Freedom freedom = from.fit.freedom;
+  Unknowns start = from.fit.p;
+  std::erase_if(freedom.active, [](int place) { return place >= kCoupling && place < kJointPoint; });
+  start.segment<6>(kCoupling).setZero();
+  if (data.kind == Kind::linear_angular) {
+    std::erase_if(freedom.active, [](int place) { return place >= kLinearAxes && place < kCoupling; });
+    start.segment<3>(kLinearAxes) = back(out.frame.E);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (from.fit.is_active(kAngularStiffness + i)) freedom.active.push_back(kAngularCube + i);
+    if (from.fit.is_active(kLinearStiffness + i)) freedom.active.push_back(kLinearCube + i);
+  }
+  // Not zero: a law is curved or it is not, and has no derivative there.
+  start.segment<6>(kAngularCube).setConstant(1e-3);
+  StageFit curved{Stage::axis_laws, {}};
+  curved.fit = fit_identifiable(data, maker(out.frame), start, freedom, out.sigma, curved.left_open);
+  if (!curved.fit.converged || curved.fit.degrees <= 0) return;
+  const double gained = from.fit.sum_of_squares() - curved.fit.sum_of_squares();
+  const double more =
+      std::max(1., double(curved.fit.freedom.active.size()) - double(from.fit.freedom.active.size()));
+  if (!(curved.fit.variance < 0.5 * from.fit.variance) ||
+      fisher_tail(gained / more / curved.fit.variance, more, curved.fit.degrees) >= kRejected)
+    return;
+  out.stages.push_back(std::move(curved));
+  out.closest = out.chosen = out.stages.size() - 1;
+}
+
 void compare_stages(Identification& out) {
   for (std::size_t i = 0; i < out.stages.size(); ++i) {
     if (out.stages[i].fit.converged && out.stages[i].fit.variance < out.stages[out.closest].fit.variance)
@@ -81,7 +128,6 @@ void compare_stages(Identification& out) {
     if (unknowns < fewest || (unknowns == fewest && one.fit.sum_of_squares() < so_far.fit.sum_of_squares()))
       out.chosen = i;
   }
-  for (double& sigma : out.sigma) sigma *= std::sqrt(closest.variance);
 }
 
 }  // namespace
@@ -103,8 +149,10 @@ const char* to_string(Stage stage) {
       return "two_xi";
     case Stage::cubic:
       return "cubic";
-    default:
+    case Stage::per_pair:
       return "per_pair";
+    default:
+      return "axis_laws";
   }
 }
 
@@ -151,6 +199,7 @@ Identification identify(const Data& data, bool with_catalog) {
   const LinearStart start = linear_start(data);
   Identification out;
   out.frame = start.frame;
+  set_range(data, out.frame);
   const std::array<double, kChannels>& given = data.sigma;
   // First the stiffness; what it leaves open stays so. Its axes are the frame of what follows.
   StageFit linear = fit_stage(Stage::half_way, data, out.frame, start.unknowns, {}, given);
@@ -171,10 +220,12 @@ Identification identify(const Data& data, bool with_catalog) {
     out.stages.push_back(fit_stage(stage, data, out.frame, from, linear.left_open, out.sigma));
   }
   compare_stages(out);
-  const StageFit& last = out.stages.back();
+  try_axis_laws(data, out);
+  const StageFit& last = out.stage(Stage::per_pair);
   for (const Dropped& one : last.left_open)
     out.left_open.push_back(
         {one.place, name_of(one.place), reason_of(one, data, out.frame, last.fit, maker(out.frame))});
+  for (double& sigma : out.sigma) sigma *= std::sqrt(out.stages[out.closest].fit.variance);
   if (with_catalog) fit_catalog(data, out);
   return out;
 }

@@ -12,7 +12,8 @@ enum class Stage {
   one_xi,    ///< one number for all pairs of axes
   two_xi,    ///< one for moments, one for forces; of linear_angular joints
   cubic,     ///< conservative: half-way, an energy c theta_1 theta_2 theta_3, and xi of each pair of forces
-  per_pair   ///< a number for each pair of axes, of moments and of forces
+  per_pair,  ///< a number for each pair of axes, of moments and of forces
+  axis_laws  ///< the simplest of these that noise can explain, and k3 along each axis instead of coupling
 };
 const char* to_string(Stage stage);
 

@@ -106,8 +106,8 @@ JointValues values_of(const Frame& frame, const Unknowns& p) {
   v.xi_angular = three(kXiAngular);
   v.xi_linear = three(kXiLinear);
   v.cubic = p[kCubic] * v.angular.mean();
-  v.angular_cube = v.angular.cwiseProduct(three(kAngularCube));
-  v.linear_cube = v.linear.cwiseProduct(three(kLinearCube)) / (frame.length * frame.length);
+  v.angular_cube = v.angular.cwiseProduct(three(kAngularCube)) / (frame.turn * frame.turn);
+  v.linear_cube = v.linear.cwiseProduct(three(kLinearCube)) / (frame.reach * frame.reach);
   return v;
 }
 
@@ -115,7 +115,10 @@ JointSpec joint_spec(const Frame& frame, const JointValues& v) {
   JointSpec spec;
   spec.kind = frame.kind;
   spec.law = law_of(frame, v);
-  if (frame.kind != Kind::linear) spec.a.H = spec.b.H = v.H;
+  if (frame.kind != Kind::linear)
+    spec.a.H = spec.b.H = v.H;
+  else if (!v.linear_cube.isZero(0))
+    spec.a.H = spec.b.H = v.E;
   if (frame.kind == Kind::linear_angular) spec.a.o = spec.b.o = v.point;
   return spec;
 }

@@ -19,8 +19,8 @@ enum Place {
   kXiAngular = 21,        ///< 3: of the rotation about axis i under moments about the two others
   kXiLinear = 24,         ///< 3: of the rotation about axis i under forces along the two others
   kCubic = 27,            ///< 1: c of the energy c theta_1 theta_2 theta_3, over the mean stiffness
-  kAngularCube = 28,      ///< 3: k3 of the axis laws k1 e + k3 e^3, over k1/rad^2
-  kLinearCube = 31,       ///< 3: over k1/length^2
+  kAngularCube = 28,      ///< 3: k3 of the axis laws k1 e + k3 e^3, over k1/Frame::turn^2
+  kLinearCube = 31,       ///< 3: over k1/Frame::reach^2
   kPlaces = 34
 };
 using Unknowns = Eigen::Matrix<double, kPlaces, 1>;
@@ -33,6 +33,7 @@ struct Frame {
       Mat3<double>::Identity();  ///< principal axes of translations -> H (of a linear joint: -> global)
   Vec3<double> angular{1, 1, 1}, linear{1, 1, 1};  ///< N m/rad, N/m
   double length = 1;                               ///< m
+  double turn = 1, reach = 1;                      ///< of the data: largest rotation and displacement, rad, m
 };
 
 /// The unknowns as a person reads them.
@@ -61,7 +62,9 @@ struct Model {
   Mat3<double> K_u = Mat3<double>::Zero();
 };
 
-/// The law that all formulations share: linear, or per axis where a cube is not zero.
+/// The law that all formulations share: linear; where a cube is not zero a polynomial of each strain, along
+/// one set of axes for rotations and translations (those of H; of a linear joint those of E) and without
+/// coupling.
 JointSpec joint_spec(const Frame& frame, const JointValues& v);
 
 /// Second order by one xi (those of `v` are equal): the formulation `intrinsic` as it is. By several: that of

@@ -68,15 +68,20 @@ void identify_file(const IdentifyRequest& request) {
   }
   const std::string text = checked_scene(what, scene);
   imports::write_new(scene, text);
+  const std::filesystem::path page =
+      std::filesystem::path("out/identify") / std::filesystem::path(request.file).stem() / "index.html";
+  imports::write_new(page, identify_page(what));
   if (request.json) {
     nlohmann::ordered_json json = identify_json(what);
     json["scene"]["file"] = scene.string();
+    json["page"] = page.string();
     print(json.dump(1) + "\n");
     return;
   }
   for (const std::string& note : what.notes) tell("note: " + printable(note) + "\n");
   print(identify_summary(what));
-  print(fmt::format("wrote {}\n", printable(scene.string())));
+  print(fmt::format("wrote {} ({}) and {}\n", printable(scene.string()), best_joint(what).formulation,
+                    printable(page.string())));
 }
 
 }  // namespace
@@ -85,7 +90,7 @@ void add_identify(CLI::App& app) {
   const auto request = std::make_shared<IdentifyRequest>();
   CLI::App* command = app.add_subcommand(
       "identify",
-      "Find a joint from measured curves: stiffness, axes, joint point, xi, with intervals, and a scene of "
+      "Find a joint from measured curves: stiffness, axes, joint point, xi, with intervals; a scene and a page of "
       "it\n\n"
       "DATA is a text file: a line of column names with units, then rows of numbers; an empty line begins "
       "the next load\n"

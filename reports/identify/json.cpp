@@ -119,6 +119,18 @@ nlohmann::ordered_json identify_json(const Identified& what) {
     out["joint_point"] = three(fit, v.point, id::kJointPoint, found.frame.length, false);
     out["coupling_left"] = rows_of(v.S);
   }
+  if (found.chosen_stage().stage == id::Stage::axis_laws) {
+    const id::Frame& frame = found.frame;
+    const auto cubes = [&](const Vec3<double>& k3, const Vec3<double>& k1, int place, double range) {
+      Json all = Json::array();
+      for (int i = 0; i < 3; ++i)
+        all.push_back(estimate(k3[i], fit.half_width(place + i) * k1[i] / (range * range)));
+      return all;
+    };
+    if (kind != Kind::linear)
+      out["k3_about"] = cubes(v.angular_cube, v.angular, id::kAngularCube, frame.turn);
+    if (kind != Kind::angular) out["k3_along"] = cubes(v.linear_cube, v.linear, id::kLinearCube, frame.reach);
+  }
   for (const id::StageFit& one : found.stages) out["second_order"].push_back(stage_json(found, one, kind));
   out["not_identified"] = Json::array();
   for (const id::LeftOpen& one : found.left_open)

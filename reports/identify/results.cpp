@@ -30,7 +30,7 @@ bool is_sound(const id::CatalogFit& one, Kind kind) {
 BestJoint best_joint(const Identified& what) {
   const id::Identification& found = what.found;
   if (found.best < 0) {
-    const id::Fit& fit = found.stage(id::Stage::half_way).fit;
+    const id::Fit& fit = found.chosen_stage().fit;  // of a linear joint: no formulation is asked
     return {"invariant", found.values(fit), fit, 0.5};
   }
   const id::CatalogFit* best = &found.catalog[std::size_t(found.best)];

@@ -31,11 +31,23 @@ BestJoint best_joint(const Identified& what);
 std::array<double, reference::identify::kChannels> channel_errors(const reference::identify::Data& data,
                                                                   const reference::identify::Fit& fit);
 
-/// Ten lines for the terminal.
+/// What was found, a line each: "stiffness about axes", its values with their intervals.
+struct SummaryLine {
+  std::string name, text;
+};
+std::vector<SummaryLine> summary_lines(const Identified& what);
+
+/// File, kind, rows, scatter.
+std::string summary_head(const Identified& what);
+
+/// Both for the terminal.
 std::string identify_summary(const Identified& what);
 
 /// For programs: {"schema": "halfway-identify-1", ...}; reports/identify/README.md has its keys.
 nlohmann::ordered_json identify_json(const Identified& what);
+
+/// One page that opens offline: what was found, residuals, second order, formulations, what was assumed.
+std::string identify_page(const Identified& what);
 
 /// A scene of the best joint, under the largest load of the data. Our own reader takes it.
 std::string identify_scene(const Identified& what);

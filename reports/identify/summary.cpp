@@ -31,8 +31,10 @@ std::string with_interval(double value, double half) {
   return fmt::format("{} +- {}", text(value), half > 0 ? fmt::format("{:.2g}", half) : "0");
 }
 
-std::string line(std::string_view head, const std::string& text) {
-  return text.empty() ? "" : fmt::format("  {:<22}{}\n", head, text);
+using Lines = std::vector<SummaryLine>;
+
+void add(Lines& lines, const char* head, const std::string& text) {
+  if (!text.empty()) lines.push_back({head, text});
 }
 
 std::string three(const id::Fit& fit, const Vec3<double>& values, int place, double factor,
@@ -59,15 +61,6 @@ std::string noise(const Identified& what) {
   return out;
 }
 
-std::string head(const Identified& what) {
-  std::size_t rows = 0;
-  for (const id::LoadCase& one : what.data.cases) rows += one.loads.size();
-  return fmt::format("{}: {} joint, {} case{}, {} rows, {} numbers; scatter {}; intervals of 95 %\n",
-                     printable(what.source), to_string(what.data.kind), what.data.cases.size(),
-                     what.data.cases.size() == 1 ? "" : "s", rows, id::measured_count(what.data),
-                     noise(what));
-}
-
 /// "axis 1 (0.98, 0.17, 0)" ... of axes that are not the scene's, with the angle by which they are uncertain.
 std::string axes_text(const Mat3<double>& axes, const id::Fit& fit, int place) {
   const double turn = so3::log(so3::quaternion<double>(axes)).norm();
@@ -78,6 +71,7 @@ std::string axes_text(const Mat3<double>& axes, const id::Fit& fit, int place) {
     is_open = is_open || !std::isfinite(one);
     half = std::isfinite(one) && one > half ? one : half;
   }
+  if (half == 0 && is_open) return "open; taken along those of the data";
   const std::string sure = fmt::format("+- {:.2g} deg{}", half / kDegree, is_open ? ", in part open" : "");
   if (turn < 2 * half || turn < 1e-6) return fmt::format("those of the data, {}", sure);
   std::string out;
@@ -147,6 +141,25 @@ std::string cubic_text(const Identified& what) {
                      cubic.probability);
 }
 
+std::string axis_laws_text(const Identified& what) {
+  const id::StageFit& one = what.found.chosen_stage();
+  if (one.stage != id::Stage::axis_laws) return "";
+  const id::JointValues v = what.found.values(one.fit);
+  const id::Frame& frame = what.found.frame;
+  std::string out;
+  for (int i = 0; i < 3; ++i) {
+    const double unit = v.angular[i] / (frame.turn * frame.turn),
+                 other = v.linear[i] / (frame.reach * frame.reach);
+    if (one.fit.is_active(id::kAngularCube + i))
+      out += fmt::format("{}about {}: {} N m/rad^3", out.empty() ? "" : ", ", i + 1,
+                         with_interval(v.angular_cube[i], unit * one.fit.half_width(id::kAngularCube + i)));
+    if (one.fit.is_active(id::kLinearCube + i))
+      out += fmt::format("{}along {}: {} N/m^3", out.empty() ? "" : ", ", i + 1,
+                         with_interval(v.linear_cube[i], other * one.fit.half_width(id::kLinearCube + i)));
+  }
+  return "k1 e + k3 e^3, k3 " + out;
+}
+
 std::string catalog_text(const Identified& what) {
   const id::Identification& found = what.found;
   if (found.best < 0) return "";
@@ -181,47 +194,73 @@ std::string conservative_text(const Identified& what) {
   return fmt::format("{}: {:.3g} times the scatter; {}", other.name, other.error, costs);
 }
 
+/// "xi of moments 2-3, xi of moments 1-3" as "xi of moments 2-3, 1-3": what names have in common is said
+/// once.
+std::string shorter(const std::vector<std::string>& names) {
+  std::string out, before;
+  for (const std::string& name : names) {
+    const std::size_t last = name.find_last_of(' ');
+    const std::string begin = name.substr(0, last);
+    out += begin == before ? ", " + name.substr(last + 1) : (out.empty() ? "" : "; ") + name;
+    before = begin;
+  }
+  return out;
+}
+
 /// One line a reason.
-std::string open_text(const Identified& what) {
-  std::vector<std::pair<std::string, std::string>> by_reason;  // reason, names
+void add_open(Lines& lines, const Identified& what) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;  // reason, names
   for (const id::LeftOpen& one : what.found.left_open) {
     const auto at = std::find_if(by_reason.begin(), by_reason.end(),
                                  [&](const auto& pair) { return pair.first == one.reason; });
     if (at == by_reason.end())
-      by_reason.emplace_back(one.reason, one.what);
+      by_reason.push_back({one.reason, {one.what}});
     else
-      at->second += ", " + one.what;
+      at->second.push_back(one.what);
   }
-  std::string out;
   for (const auto& [reason, names] : by_reason)
-    out += line("not identified", fmt::format("{}: {}", names, reason));
-  return out;
+    add(lines, "not identified", fmt::format("{}: {}", shorter(names), reason));
 }
 
 }  // namespace
 
-std::string identify_summary(const Identified& what) {
+std::string summary_head(const Identified& what) {
+  std::size_t rows = 0;
+  for (const id::LoadCase& one : what.data.cases) rows += one.loads.size();
+  return fmt::format("{}: {} joint, {} case{}, {} rows, {} numbers; scatter {}; intervals of 95 %",
+                     printable(what.source), to_string(what.data.kind), what.data.cases.size(),
+                     what.data.cases.size() == 1 ? "" : "s", rows, id::measured_count(what.data),
+                     noise(what));
+}
+
+std::vector<SummaryLine> summary_lines(const Identified& what) {
   const id::Identification& found = what.found;
   const id::Fit& fit = found.chosen_stage().fit;
   const id::JointValues v = found.values(fit);
   const bool turns = what.data.kind != Kind::linear, moves = what.data.kind != Kind::angular;
-  const id::Fit& rich = found.stages.back().fit;
+  const id::Fit& rich = found.stage(id::Stage::per_pair).fit;
   const id::JointValues pairs = found.values(rich);
-  std::string out = head(what);
+  Lines out;
   if (turns)
-    out += line("stiffness about axes", three(fit, v.angular, id::kAngularStiffness, 1, true) + " N m/rad");
-  if (turns) out += line("axes", axes_text(v.H, fit, id::kAngularAxes));
-  if (moves)
-    out += line("stiffness along axes", three(fit, v.linear, id::kLinearStiffness, 1, true) + " N/m");
-  if (moves) out += line("their axes", axes_text(Mat3<double>(v.H * v.E), fit, id::kLinearAxes));
-  out += line("joint point", point_text(what, fit, v));
-  out += line("xi", one_xi_text(what));
-  out += line("xi of moments", pairs_text(rich, pairs.xi_angular, id::kXiAngular));
-  out += line("xi of forces", pairs_text(rich, pairs.xi_linear, id::kXiLinear));
-  out += line("cubic term", cubic_text(what));
-  out += open_text(what);
-  out += line("fits best", catalog_text(what));
-  out += line("conservative", conservative_text(what));
+    add(out, "stiffness about axes", three(fit, v.angular, id::kAngularStiffness, 1, true) + " N m/rad");
+  if (turns) add(out, "axes", axes_text(v.H, fit, id::kAngularAxes));
+  if (moves) add(out, "stiffness along axes", three(fit, v.linear, id::kLinearStiffness, 1, true) + " N/m");
+  if (moves) add(out, "their axes", axes_text(Mat3<double>(v.H * v.E), fit, id::kLinearAxes));
+  add(out, "joint point", point_text(what, fit, v));
+  add(out, "xi", one_xi_text(what));
+  add(out, "xi of moments", pairs_text(rich, pairs.xi_angular, id::kXiAngular));
+  add(out, "xi of forces", pairs_text(rich, pairs.xi_linear, id::kXiLinear));
+  add(out, "cubic term", cubic_text(what));
+  add(out, "curved laws", axis_laws_text(what));
+  add_open(out, what);
+  add(out, "fits best", catalog_text(what));
+  add(out, "conservative", conservative_text(what));
+  return out;
+}
+
+std::string identify_summary(const Identified& what) {
+  std::string out = summary_head(what) + "\n";
+  for (const auto& [name, text] : summary_lines(what)) out += fmt::format("  {:<22}{}\n", name, text);
   return out;
 }
 

@@ -22,7 +22,7 @@ for sample in "$samples"/*.csv; do
   "$identify" identify "$sample" >said 2>told || { cat told; fail "$name"; }
   grep -q '^  stiffness about axes' said || fail "$name: no stiffness in the summary"
   [ "$(wc -l <said)" -le 16 ] || fail "$name: a summary of $(wc -l <said) lines"
-  tail -n 1 said | grep -qx "wrote $name.toml" || fail "$name: $(tail -n 1 said)"
+  tail -n 1 said | grep -qE "^wrote $name.toml \([a-z0-9_]+\) and out/identify/$name/index.html\$" || fail "$name: $(tail -n 1 said)"
   "$halfway" run "$name.toml" --format csv --out run >ran 2>&1 || { cat ran; fail "$name.toml is not solved"; }
   grep -qE '^\[1/1\] [a-z0-9_= .]+: converged$' ran || { cat ran; fail "$name.toml: not one law, or not solved"; }
 done
@@ -60,3 +60,9 @@ printf 'm_x [N m],theta_x [deg]\n1,5.73\n2,11.45\n3,17.2\n4,22.91\n' >one.csv
 grep -q 'not identified .*stiffness about axis 2.*no case turns the joint about it' said || { cat said; fail "one.csv does not say what is open"; }
 grep -q '^# NOT IDENTIFIED, assumed below: stiffness about axis 2' one.toml || fail "one.toml does not mark what is assumed"
 "$halfway" run one.toml --format csv --out run >ran 2>&1 || { cat ran; fail "one.toml is not solved"; }
+
+# The page opens offline, and has the residuals and no mark of its template left.
+page=out/identify/frustum/index.html
+grep -q '<circle' "$page" || fail "the page has no residuals"
+grep -qF 'xi of moments' "$page" || fail "the page does not say xi"
+if grep -qE '@[A-Z]+@|src="|href="http|<script' "$page"; then fail "the page is not whole: $(grep -noE '@[A-Z]+@|src="|href="http|<script' "$page" | head -n 3)"; fi

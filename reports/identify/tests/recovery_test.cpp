@@ -50,12 +50,12 @@ void check_coverage(const char* name, int trials, double spoil, bool holds) {
 /// A thousand trials are kept in reference/data/identify/coverage.json; these show that the code still does
 /// so.
 BOOST_AUTO_TEST_CASE(intervals_hold_the_truth) {
-  check_coverage("angular", 60, 1, true);
-  check_coverage("per_pair", 60, 1, true);
+  check_coverage("angular", 40, 1, true);
+  check_coverage("per_pair", 40, 1, true);
   check_coverage("held", 12, 1, true);
 }
 
 /// Half as wide they would not: the count can fail.
-BOOST_AUTO_TEST_CASE(halved_intervals_are_caught) { check_coverage("angular", 60, 0.5, false); }
+BOOST_AUTO_TEST_CASE(halved_intervals_are_caught) { check_coverage("angular", 40, 0.5, false); }
 
 BOOST_AUTO_TEST_SUITE_END()

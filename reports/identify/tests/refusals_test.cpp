@@ -90,8 +90,28 @@ BOOST_AUTO_TEST_CASE(one_axis) {
   const id::Fit& fit = what.found.chosen_stage().fit;
   BOOST_TEST(what.found.values(fit).angular[0] == 10, boost::test_tools::tolerance(0.01));
   BOOST_TEST(has(reason(what, id::kAngularStiffness + 1), "no case turns the joint about it"));
-  BOOST_TEST(has(reason(what, id::kXiAngular + 2), "no case turns it about the axes 1 and 2 at once"));
+  BOOST_TEST(has(reason(what, id::kXiAngular + 2), "no case turns it about both axes at once"));
   BOOST_TEST(!fit.is_active(id::kAngularStiffness + 1));
+}
+
+/// A law that stiffens: f = 1.2 u + 0.03 u^3 in kN and mm, and the same data without the cube.
+BOOST_AUTO_TEST_CASE(curved_law) {
+  for (const double cube : {0.03, 0.}) {
+    std::string text = "u_x [mm],f_x [kN]\n";
+    for (int n = -10; n <= 10; ++n) {
+      const double u = 0.5 * n;
+      text += std::to_string(u + 1e-3 * std::sin(41. * n)) + "," +
+              std::to_string(1.2 * u + cube * u * u * u) + "\n";
+    }
+    const auto what = identified(text);
+    const bool is_curved = what.found.chosen_stage().stage == id::Stage::axis_laws;
+    BOOST_TEST(is_curved == (cube > 0));
+    const id::JointValues v = what.found.values(what.found.chosen_stage().fit);
+    BOOST_TEST(v.linear[0] == 1.2e6, boost::test_tools::tolerance(2e-3));  // 1e-3 mm of the first 0.5
+    if (is_curved) BOOST_TEST(v.linear_cube[0] == 3e10, boost::test_tools::tolerance(5e-3));
+    const auto scene = identify_scene(what);
+    BOOST_TEST(has(scene, is_curved ? "type = \"polynomial\"" : "type = \"linear\""));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(isotropic) {
