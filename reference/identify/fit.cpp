@@ -140,8 +140,30 @@ std::array<double, kChannels> paid(const Eigen::MatrixXd& J, const Eigen::Matrix
   return out;
 }
 
+/// Degrees of freedom of each unknown's variance, which is a sum of shares of the channels, each as well
+/// known as the numbers that its scatter comes from (Satterthwaite 1946).
+Eigen::VectorXd satterthwaite(const Eigen::MatrixXd& J, const Eigen::MatrixXd& covariance,
+                              const std::vector<int>& channel, const std::array<double, kChannels>& left,
+                              int all) {
+  const Eigen::MatrixXd by_number = covariance * J.transpose();
+  Eigen::VectorXd out(J.cols());
+  for (Eigen::Index i = 0; i < J.cols(); ++i) {
+    std::array<double, kChannels> share{};
+    for (Eigen::Index n = 0; n < J.rows(); ++n)
+      share[std::size_t(channel[std::size_t(n)])] += by_number(i, n) * by_number(i, n);
+    double sum = 0, squares = 0;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      sum += share[c];
+      if (share[c] > 0) squares += share[c] * share[c] / std::max(1., left[c]);
+    }
+    out[i] = sum > 0 ? std::min(double(all), sum * sum / squares) : double(all);
+  }
+  return out;
+}
+
 /// (J^T J)^-1 by eigenvalues of the scaled matrix: directions without effect get a large but finite variance.
 Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& J) {
+  if (J.cols() == 0) return Eigen::MatrixXd(0, 0);
   constexpr double kFloor = 1e-15;
   const Eigen::VectorXd size = (J.colwise().norm().transpose().array() + 1e-300).matrix();
   const Eigen::MatrixXd scaled = J * size.cwiseInverse().asDiagonal();
@@ -172,7 +194,9 @@ double Fit::deviation(int place) const {
 }
 
 double Fit::half_width(int place, double confidence) const {
-  return student_quantile(confidence, degrees) * deviation(place);
+  const auto at = std::find(freedom.active.begin(), freedom.active.end(), freedom.source[std::size_t(place)]);
+  if (at == freedom.active.end()) return std::nan("");
+  return student_quantile(confidence, own_degrees[at - freedom.active.begin()]) * deviation(place);
 }
 
 double student_quantile(double confidence, double degrees) {
@@ -221,6 +245,7 @@ Fit fit(const Data& data, const MakeModel& make, const Unknowns& start, const Fr
     });
     out.covariance = inverse_normal(J);
     out.weighted = out.residual.cwiseProduct(problem.weight);
+    out.own_degrees = Eigen::VectorXd::Constant(J.cols(), std::max(1, out.degrees));
     if (!out.converged) break;
     const auto cost = paid(J, out.covariance, channel);
     std::array<double, kChannels> sum{}, count{}, next = out.sigma;
@@ -228,18 +253,24 @@ Fit fit(const Data& data, const MakeModel& make, const Unknowns& start, const Fr
       sum[std::size_t(channel[i])] += out.residual[Eigen::Index(i)] * out.residual[Eigen::Index(i)];
       count[std::size_t(channel[i])] += 1;
     }
+    std::array<double, kChannels> left{};
+    for (std::size_t c = 0; c < kChannels; ++c) left[c] = count[c] - cost[c];
+    out.own_degrees = satterthwaite(J, out.covariance, channel, left, std::max(1, out.degrees));
     bool is_steady = true;
     for (std::size_t c = 0; c < kChannels; ++c) {
       if (sigma[c] > 0 || count[c] == 0) continue;
-      const double left = count[c] - cost[c];
-      if (left < 0.5) continue;  // it has no say in its own noise
-      next[c] = std::max(std::sqrt(sum[c] / left), kRounding * size[c]);
+      if (left[c] < 0.5) continue;  // it has no say in its own noise
+      next[c] = std::max(std::sqrt(sum[c] / left[c]), kRounding * size[c]);
       is_steady = is_steady && std::abs(next[c] / out.sigma[c] - 1) < kSteady;
     }
     if (is_steady) break;
     out.sigma = next;
   }
   out.variance = out.degrees > 0 ? out.weighted.squaredNorm() / out.degrees : std::nan("");
+  for (std::size_t c = 0; c < kChannels; ++c) {  // data without noise leave rounding, or nothing
+    const double least = kRounding * size[c] / out.sigma[c];
+    if (size[c] > 0 && out.variance < least * least) out.variance = least * least;
+  }
   out.covariance *= out.variance;
   return out;
 }

@@ -18,8 +18,9 @@ struct Fit {
   Eigen::VectorXd residual{};             ///< measured - answered, SI
   Eigen::VectorXd weighted{};             ///< over the standard deviation of the channel
   std::array<double, kChannels> sigma{};  ///< of each channel: found, or as the data say
-  int degrees = 0;                        ///< of freedom left: numbers less unknowns
-  double variance = 0;                    ///< of the weighted residual, near 1 where sigma was found
+  Eigen::VectorXd own_degrees{};  ///< of freedom behind the deviation of each active unknown (Satterthwaite)
+  int degrees = 0;                ///< of freedom left: numbers less unknowns
+  double variance = 0;            ///< of the weighted residual, near 1 where sigma was found
   bool converged = false;
   std::string reason{};  ///< why not
 

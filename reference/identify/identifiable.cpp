@@ -18,11 +18,10 @@ double limit_of(int place) {
   return place >= kXiAngular && place < kCubic ? 0.25 : 0.5;
 }
 
-/// Of two that the data cannot tell apart the first goes: coupling before axes before all others.
-double readiness(int place) {
-  if (place >= kCoupling && place < kJointPoint) return 30;
-  if (place >= kXiAngular) return 10;
-  return limit_of(place) == 0.35 ? 3 : 1;
+/// Of those that are too uncertain, often each with the others, the highest goes first: coupling, second
+/// order.
+int readiness(int place) {
+  return place >= kXiAngular ? 1 : place >= kCoupling && place < kJointPoint ? 2 : 0;
 }
 
 /// Standard deviations of the active unknowns from weighted derivatives, at a variance of 1.
@@ -39,15 +38,15 @@ Eigen::VectorXd deviations(const Eigen::MatrixXd& J) {
       .cwiseQuotient(size);
 }
 
-/// The place in `active` that is furthest beyond its limit, or -1.
+/// The place in `active` that is to go, or -1: of the highest readiness the furthest beyond its limit.
 int worst(const Eigen::VectorXd& deviation, const std::vector<int>& active, double allowed) {
   int out = -1;
-  double most = 0;
+  std::pair<int, double> most{-1, 0};
   for (std::size_t i = 0; i < active.size(); ++i) {
     const double beyond = deviation[Eigen::Index(i)] / limit_of(active[i]) / allowed;
-    if (beyond <= 1 || !(beyond * readiness(active[i]) > most)) continue;
-    most = beyond * readiness(active[i]);
-    out = int(i);
+    if (beyond <= 1) continue;
+    const std::pair rank{readiness(active[i]), beyond};
+    if (out < 0 || rank > most) most = rank, out = int(i);
   }
   return out;
 }
@@ -102,6 +101,12 @@ std::string of_xi(int i, bool is_angular, double deviation, const Data& data, co
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const JointValues v = values_of(frame, fit.p);
   const int off = is_angular ? 3 : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!fit.is_active(kAngularStiffness + axis))
+      return fmt::format("the stiffness about axis {} is open", axis + 1);
+    if (!is_angular && !fit.is_active(kLinearStiffness + axis) && axis != i)
+      return fmt::format("the stiffness along axis {} is open", axis + 1);
+  }
   const double both = largest(data, make, fit, [&](const Vec6& z) { return z[off + j] * z[off + k]; });
   const double one = largest(data, make, fit, [&](const Vec6& z) { return z.segment<3>(off).squaredNorm(); });
   if (one == 0) return is_angular ? "nothing turns the joint" : "nothing moves the joint";
@@ -132,14 +137,14 @@ bool is_seen(const Data& data, int first) {
   return false;
 }
 
-std::string of_block(const Data& data, int first) {
+}  // namespace
+
+std::string why_none(const Data& data, int first) {
   const bool turns = first == 3;
   if (!is_loaded(data, first)) return turns ? "no case has a moment" : "no case has a force";
   if (!is_seen(data, first)) return turns ? "no rotation was measured" : "no displacement was measured";
   return "";
 }
-
-}  // namespace
 
 std::string name_of(int place) {
   const auto axis = [&](int first) { return place - first + 1; };
@@ -159,6 +164,27 @@ std::string name_of(int place) {
   if (place == kCubic) return "cubic term";
   if (place < kLinearCube) return fmt::format("k3 about axis {}", axis(kAngularCube));
   return fmt::format("k3 along axis {}", axis(kLinearCube));
+}
+
+std::vector<Dropped> open_at_small_motion(const Data& data, const MakeModel& make, const Unknowns& start,
+                                          Freedom freedom) {
+  constexpr double kSmall = 1e-8;  // second order is that much smaller
+  constexpr double kNone = 1e2;    // of a noise of a thousandth: beyond it is rounding
+  Data small = data;
+  for (LoadCase& one : small.cases) {
+    for (Vec6& load : one.loads) load *= kSmall;
+    for (Vec6& motion : one.motions) motion *= kSmall;
+  }
+  for (double& sigma : small.sigma) sigma *= kSmall;
+  std::vector<Dropped> out;
+  while (!freedom.active.empty()) {
+    const Eigen::VectorXd deviation =
+        deviations(weighted_jacobian(small, make, start, freedom, first_sigma(small)));
+    const int at = worst(deviation, freedom.active, kNone);
+    if (at < 0) break;
+    leave_out(freedom, at, deviation, out);
+  }
+  return out;
 }
 
 Fit fit_identifiable(const Data& data, const MakeModel& make, const Unknowns& start, Freedom freedom,
@@ -193,12 +219,12 @@ std::string reason_of(const Dropped& one, const Data& data, const Frame& frame, 
   if (place >= kXiLinear && place < kCubic)
     return of_xi(place - kXiLinear, false, one.deviation, data, frame, fit, make);
   if (place >= kCoupling && place < kXiAngular) {
-    const std::string forces = of_block(data, 0), other = of_block(data, 3);
+    const std::string forces = why_none(data, 0), other = why_none(data, 3);
     return !forces.empty()  ? forces
            : !other.empty() ? other
                             : "no case couples forces with rotations, or moments with displacements, there";
   }
-  const std::string block = of_block(data, is_linear ? 0 : 3);
+  const std::string block = why_none(data, is_linear ? 0 : 3);
   if (!block.empty()) return block;
   if (place < kAngularAxes || (place >= kLinearStiffness && place < kLinearAxes))
     return place < kAngularAxes ? "no case turns the joint about it" : "no case moves the joint along it";

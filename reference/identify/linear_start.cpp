@@ -140,6 +140,26 @@ LinearStart of_compliance(const Mat6& F) {
   return out;
 }
 
+/// The compliance in SI, of the components of the kind.
+Eigen::MatrixXd linear_compliance(const Data& data) {
+  const Eigen::VectorXd motion = motion_scale(data), load = load_scale(data, motion);
+  return motion.asDiagonal() * scaled_compliance(data, motion, load) * load.cwiseInverse().asDiagonal();
+}
+
+LinearStart start_of(Kind kind, const Eigen::MatrixXd& F) {
+  LinearStart out;
+  if (kind == Kind::linear_angular) {
+    out = of_compliance(Mat6(F));
+  } else {
+    const PrincipalAxes axes = principal_axes(Mat3<double>(F));
+    (kind == Kind::angular ? out.frame.H : out.frame.E) = axes.axes;
+    (kind == Kind::angular ? out.frame.angular : out.frame.linear) = axes.values.cwiseInverse();
+    out.unknowns = no_unknowns();
+  }
+  out.frame.kind = kind;
+  return out;
+}
+
 }  // namespace
 
 PrincipalAxes principal_axes(const Mat3<double>& symmetric) {
@@ -165,21 +185,11 @@ PrincipalAxes principal_axes(const Mat3<double>& symmetric) {
   return out;
 }
 
-LinearStart linear_start(const Data& data) {
-  const Eigen::VectorXd motion = motion_scale(data), load = load_scale(data, motion);
-  const Eigen::MatrixXd scaled = scaled_compliance(data, motion, load);
-  const Eigen::MatrixXd F = motion.asDiagonal() * scaled * load.cwiseInverse().asDiagonal();
-  LinearStart out;
-  if (data.kind == Kind::linear_angular) {
-    out = of_compliance(Mat6(F));
-  } else {
-    const PrincipalAxes axes = principal_axes(Mat3<double>(F));
-    (data.kind == Kind::angular ? out.frame.H : out.frame.E) = axes.axes;
-    (data.kind == Kind::angular ? out.frame.angular : out.frame.linear) = axes.values.cwiseInverse();
-    out.unknowns = no_unknowns();
-  }
-  out.frame.kind = data.kind;
-  return out;
+LinearStart linear_start(const Data& data) { return start_of(data.kind, linear_compliance(data)); }
+
+LinearStart linear_start_along_axes(const Data& data) {
+  const Eigen::VectorXd diagonal = linear_compliance(data).diagonal();
+  return start_of(data.kind, diagonal.asDiagonal());
 }
 
 }  // namespace halfway::reference::identify

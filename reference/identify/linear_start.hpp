@@ -13,6 +13,9 @@ struct LinearStart {
 };
 LinearStart linear_start(const Data& data);
 
+/// The same without what would turn the axes, move the joint point or couple.
+LinearStart linear_start_along_axes(const Data& data);
+
 /// Columns: eigenvectors of a symmetric matrix in the order and with the signs that are nearest to the
 /// identity, so that axis 1 is the one next to x; `values` in the same order.
 struct PrincipalAxes {

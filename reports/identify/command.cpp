@@ -5,7 +5,7 @@
 #include "reference/scene/text/toml_tree.hpp"
 #include "reports/cli/errors.hpp"
 #include "reports/cli/streams.hpp"
-#include "reports/identify/read_csv.hpp"
+#include "reports/identify/read_other.hpp"
 #include "reports/identify/results.hpp"
 #include "reports/import/files.hpp"
 #include "reports/views/files.hpp"
@@ -23,7 +23,7 @@ namespace id = reference::identify;
 constexpr std::size_t kLargestFile = 16u << 20;  // bytes
 
 struct IdentifyRequest {
-  std::string file{}, out{};
+  std::string file{}, out{}, law{};
   bool json = false, force = false;
 };
 
@@ -32,7 +32,7 @@ Identified read(const IdentifyRequest& request) {
   if (text.size() > kLargestFile)
     throw BadInput(request.file + ": longer than 16 MB; allowed: shorter files");
   try {
-    ReadCurves curves = read_csv(text);
+    ReadCurves curves = read_data_file(text, request.law);
     return {request.file, std::move(curves.data), std::move(curves.notes), {}};
   } catch (const reference::Refusal& refusal) {
     throw BadInput(fmt::format("{}:{}: {}", request.file, refusal.line, refusal.what()));
@@ -90,7 +90,8 @@ void add_identify(CLI::App& app) {
   const auto request = std::make_shared<IdentifyRequest>();
   CLI::App* command = app.add_subcommand(
       "identify",
-      "Find a joint from measured curves: stiffness, axes, joint point, xi, with intervals; a scene and a page of "
+      "Find a joint from measured curves: stiffness, axes, joint point, xi, with intervals; a scene and a "
+      "page of "
       "it\n\n"
       "DATA is a text file: a line of column names with units, then rows of numbers; an empty line begins "
       "the next load\n"
@@ -103,6 +104,8 @@ void add_identify(CLI::App& app) {
       "'# sigma: u = 0.01 mm, theta = 0.002 deg': the noise, where it is known; '# case: NAME'.");
   command->add_option("data", request->file, "The curves")->required();
   command->add_option("--out", request->out, "The scene's file; default: STEM.toml here");
+  command->add_option("--law", request->law,
+                      "Of a result of several material laws this one (reference/data/fe)");
   command->add_flag("--json", request->json, "Print JSON for programs instead of the summary");
   command->add_flag("--force", request->force, "Replace a file that is there");
   command->callback([request] { identify_file(*request); });

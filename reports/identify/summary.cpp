@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// "0.557 +- 0.004": as many digits as the interval leaves.
 std::string with_interval(double value, double half) {
   if (!std::isfinite(half)) return "open";
-  const double size = half > 0 ? half : std::abs(value) * 1e-6;
+  const double size = std::max(half, std::abs(value) * 1e-8);
   const int last = size > 0 ? int(std::floor(std::log10(size))) - 1 : -6;  // two digits of the interval
   const double unit = std::pow(10, last);
   const auto text = [&](double x) {
@@ -146,14 +146,15 @@ std::string axis_laws_text(const Identified& what) {
   if (one.stage != id::Stage::axis_laws) return "";
   const id::JointValues v = what.found.values(one.fit);
   const id::Frame& frame = what.found.frame;
+  const auto is_told = [&](int place) { return std::abs(one.fit.p[place]) > one.fit.half_width(place); };
   std::string out;
   for (int i = 0; i < 3; ++i) {
     const double unit = v.angular[i] / (frame.turn * frame.turn),
                  other = v.linear[i] / (frame.reach * frame.reach);
-    if (one.fit.is_active(id::kAngularCube + i))
+    if (is_told(id::kAngularCube + i))
       out += fmt::format("{}about {}: {} N m/rad^3", out.empty() ? "" : ", ", i + 1,
                          with_interval(v.angular_cube[i], unit * one.fit.half_width(id::kAngularCube + i)));
-    if (one.fit.is_active(id::kLinearCube + i))
+    if (is_told(id::kLinearCube + i))
       out += fmt::format("{}along {}: {} N/m^3", out.empty() ? "" : ", ", i + 1,
                          with_interval(v.linear_cube[i], other * one.fit.half_width(id::kLinearCube + i)));
   }

@@ -39,6 +39,9 @@ grep -q '"schema": "halfway-identify-1"' f.json || fail "no schema"
 [ "$(head -c 1 f.json)" = '{' ] && [ "$(tail -c 2 f.json)" = '}' ] || fail "--json prints more than JSON"
 [ ! -s told ] || fail "--json says on stderr: $(cat told)"
 
+"$identify" identify "$samples/../../../reference/data/fe/linear_frustum_top.json" --law neo_hooke --out fe.toml >said 2>told || { cat told; fail "a result of finite elements"; }
+grep -q '^  xi of moments         2-3: 0\.44[78]' said || { cat said; fail "xi of the frustum"; }
+
 # What a person may get wrong.
 refused 2 'no.csv: cannot be read' no.csv
 refused 2 'it is a folder' .

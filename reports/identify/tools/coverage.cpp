@@ -7,7 +7,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <string>
+#include <vector>
 
 int main(int argc, char** argv) {
   using namespace halfway;
@@ -19,8 +21,13 @@ int main(int argc, char** argv) {
   const int trials = std::atoi(argv[1]);
   nlohmann::ordered_json out = {
       {"made_by", "halfway_identify_coverage"}, {"trials", trials}, {"confidence", 0.95}};
-  for (const std::string& name : id::bench_names()) {
-    for (const id::Coverage& one : id::coverage(id::bench(name), trials)) {
+  std::vector<std::future<std::vector<id::Coverage>>> counts;
+  for (const std::string& name : id::bench_names())
+    counts.push_back(
+        std::async(std::launch::async, [name, trials] { return id::coverage(id::bench(name), trials); }));
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::string& name = id::bench_names()[i];
+    for (const id::Coverage& one : counts[i].get()) {
       out["benches"][name].push_back({{"quantity", one.quantity},
                                       {"identified", one.trials},
                                       {"covered", one.covered},
