@@ -108,6 +108,12 @@ void draw_line(std::string& out, const Panel& panel, const Points& points, std::
                  opacity < 1 ? fmt::format(" opacity=\"{:g}\"", opacity) : "");
 }
 
+void draw_points(std::string& out, const Panel& panel, const Points& points, std::size_t curve) {
+  for (const auto& [x, y] : points)
+    fmt::format_to(std::back_inserter(out), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"2.5\" fill=\"{}\"/>\n",
+                   panel.px(x), panel.py(y), kColours[curve % kColours.size()]);
+}
+
 void draw_legend(std::string& out, const std::vector<std::string>& labels) {
   const double x = kLeft + kPanelWidth + 22;
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -41,6 +41,9 @@ using Points = std::vector<std::pair<double, double>>;
 void draw_line(std::string& out, const Panel& panel, const Points& points, std::size_t curve,
                double opacity = 1);
 
+/// Dots in the colour of the `curve`-th.
+void draw_points(std::string& out, const Panel& panel, const Points& points, std::size_t curve);
+
 /// The `labels` of the curves beside panels of kPanelWidth, and what height they take.
 void draw_legend(std::string& out, const std::vector<std::string>& labels);
 double legend_height(std::size_t labels);

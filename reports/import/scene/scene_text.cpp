@@ -1,77 +1,15 @@
 #include "reports/import/scene/scene_text.hpp"
 
 #include "reference/scene/text/document.hpp"
-#include "reports/cli/streams.hpp"
+#include "reports/cli/toml_text.hpp"
 #include "reports/import/record/text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <span>
 
 namespace halfway::imports {
 namespace {
 
-/// Bytes of the UTF-8 character that begins at `at`, 0 where none does. Surrogates and what is longer than it
-/// need be are none.
-std::size_t character_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  const unsigned second = byte(1);
-  const bool is_short = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool is_beyond = (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
-  return first < 0xC2 || first > 0xF4 || is_short || is_beyond ? 0 : size;
-}
-
-/// What TOML takes: no control characters, and '?' for bytes that are no UTF-8, as of files in Latin-1.
-std::string readable(std::string_view text) {
-  const std::string shown = reports::printable(text);
-  std::string out;
-  for (std::size_t i = 0; i < shown.size();) {
-    const std::size_t size = character_at(shown, i);
-    out += size ? shown.substr(i, size) : "?";
-    i += size ? size : 1;
-  }
-  return out;
-}
-
-/// All digits, and no -0.
-std::string digits(double value) { return fmt::format("{}", value + 0.0); }
-
-std::string list(std::span<const double> values) {
-  std::string out;
-  for (double value : values) out += (out.empty() ? "" : ", ") + digits(value);
-  return "[" + out + "]";
-}
-
-template <class V>
-std::string list_of(const V& v) {
-  const Eigen::VectorXd values = v;
-  return list({values.data(), std::size_t(values.size())});
-}
-
-std::string rows(const Eigen::MatrixXd& m) {
-  std::string out;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) out += (i ? ",\n  " : "\n  ") + list_of(m.row(i).transpose());
-  return "[" + out + "]";
-}
-
-/// As a TOML text.
-std::string quoted(const std::string& text) {
-  std::string out;
-  for (const char c : readable(text)) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return '"' + out + '"';
-}
+using namespace reports::toml;
 
 /// "line 3: key = text; line 5: ...", cut: where numbers come from.
 std::string origin(const std::vector<Source>& from) {

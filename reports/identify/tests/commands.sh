@@ -1,0 +1,71 @@
+#!/bin/sh
+# The command itself: files in and out, refusals, exit codes, written scenes solved.
+#   commands.sh HALFWAY_IDENTIFY HALFWAY SAMPLES
+set -eu
+identify=$1 halfway=$2 samples=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+refused() {  # STATUS WORDS ARGUMENT...
+  wanted=$1 words=$2 status=0
+  shift 2
+  "$identify" identify "$@" >said 2>&1 || status=$?
+  [ $status -eq "$wanted" ] || { cat said; fail "$* ended with $status, not $wanted"; }
+  grep -qF -- "$words" said || { cat said; fail "$* does not say '$words'"; }
+  [ "$(wc -l <said)" -eq 1 ] || { cat said; fail "$*: more than one line"; }
+}
+
+# Every sample becomes a scene that is solved.
+for sample in "$samples"/*.csv; do
+  name=$(basename "$sample" .csv)
+  "$identify" identify "$sample" >said 2>told || { cat told; fail "$name"; }
+  grep -q '^  stiffness about axes' said || fail "$name: no stiffness in the summary"
+  [ "$(wc -l <said)" -le 16 ] || fail "$name: a summary of $(wc -l <said) lines"
+  tail -n 1 said | grep -qE "^wrote $name.toml \([a-z0-9_]+\) and out/identify/$name/index.html\$" || fail "$name: $(tail -n 1 said)"
+  "$halfway" run "$name.toml" --format csv --out run >ran 2>&1 || { cat ran; fail "$name.toml is not solved"; }
+  grep -qE '^\[1/1\] [a-z0-9_= .]+: converged$' ran || { cat ran; fail "$name.toml: not one law, or not solved"; }
+done
+
+# The scene of the tapered rod turns as the curve does at its largest load, the last of the case about axes 2 and 3.
+expected=$(awk '/^#/ {is_it = /about 2 and 3/} is_it && /^-?[0-9]/ {last = $0} END {print last}' "$samples/tapered_rod.csv")
+ends=$(tail -n 1 run/tapered_rod/curve.csv)
+awk -v a="$expected" -v b="$ends" 'BEGIN {split(a, x, ","); split(b, y, ","); for (i = 0; i < 3; ++i) {d = x[4 + i] - y[4 + i]; if (d < 0) d = -d; if (!(d < 1e-4)) exit 1}}' ||
+  fail "the scene ends at $ends, the curve at $expected"
+
+# For programs: JSON on standard output, and nothing else.
+"$identify" identify "$samples/frustum.csv" --json --out f.toml >f.json 2>told || fail "--json"
+grep -q '"schema": "halfway-identify-1"' f.json || fail "no schema"
+[ "$(head -c 1 f.json)" = '{' ] && [ "$(tail -c 2 f.json)" = '}' ] || fail "--json prints more than JSON"
+[ ! -s told ] || fail "--json says on stderr: $(cat told)"
+
+"$identify" identify "$samples/../../../reference/data/fe/linear_frustum_top.json" --law neo_hooke --out fe.toml >said 2>told || { cat told; fail "a result of finite elements"; }
+grep -q '^  xi of moments         2-3: 0\.44[78]' said || { cat said; fail "xi of the frustum"; }
+
+# What a person may get wrong.
+refused 2 'no.csv: cannot be read' no.csv
+refused 2 'it is a folder' .
+refused 2 'is there already; allowed: --force' "$samples/frustum.csv"
+refused 2 "is no scene's name" "$samples/frustum.csv" --out scene.txt
+refused 1 'cannot' "$samples/frustum.csv" --out /proc/no/such/folder/x.toml
+printf 'm_x [N],theta_x [rad]\n1,1\n' >unit.csv
+refused 2 'unit.csv:1: m_x [N]: is in N, which is no N m' unit.csv
+printf 'm_x [N m],theta_x [rad]\n1,0.1\n' >few.csv
+refused 2 'few.csv: 1 measured numbers for 1 unknowns' few.csv
+head -c 3000 "$identify" >program.csv
+refused 2 'program.csv:1: ' program.csv
+[ ! -e few.toml ] && [ ! -e unit.toml ] || fail "a refused file left a scene"
+if find . -name '*.part' | grep -q .; then fail "a temporary file is left"; fi
+
+# One case about one axis is no mistake: what it tells, and what not.
+printf 'm_x [N m],theta_x [deg]\n1,5.73\n2,11.45\n3,17.2\n4,22.91\n' >one.csv
+"$identify" identify one.csv >said 2>told || { cat told; fail "one.csv"; }
+grep -q 'not identified .*stiffness about axis 2.*no case turns the joint about it' said || { cat said; fail "one.csv does not say what is open"; }
+grep -q '^# NOT IDENTIFIED, assumed below: stiffness about axis 2' one.toml || fail "one.toml does not mark what is assumed"
+"$halfway" run one.toml --format csv --out run >ran 2>&1 || { cat ran; fail "one.toml is not solved"; }
+
+# The page opens offline, and has the residuals and no mark of its template left.
+page=out/identify/frustum/index.html
+grep -q '<circle' "$page" || fail "the page has no residuals"
+grep -qF 'xi of moments' "$page" || fail "the page does not say xi"
+if grep -qE '@[A-Z]+@|src="|href="http|<script' "$page"; then fail "the page is not whole: $(grep -noE '@[A-Z]+@|src="|href="http|<script' "$page" | head -n 3)"; fi
