@@ -1,5 +1,6 @@
 // Known joints come back: without noise to rounding, with noise within the stated intervals.
 #include "reference/identify/coverage.hpp"
+#include "reference/truth/data.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -57,5 +58,20 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_truth) {
 
 /// Half as wide they would not: the count can fail.
 BOOST_AUTO_TEST_CASE(halved_intervals_are_caught) { check_coverage("angular", 40, 0.5, false); }
+
+/// The kept count is of the angular benches, each quantity in every trial.
+BOOST_AUTO_TEST_CASE(kept_coverage) {
+  const auto kept = halfway::reference::read_data("identify/coverage.json");
+  BOOST_TEST(kept.at("trials").get<int>() == 1000);
+  for (const std::string name : {"angular", "per_pair"}) {
+    for (const auto& one : kept.at("benches").at(name)) {
+      const double share = one.at("covered").get<double>() / one.at("identified").get<double>();
+      BOOST_TEST_CONTEXT(name << ": " << one.at("quantity")) {
+        BOOST_TEST(one.at("identified").get<int>() == 1000);
+        BOOST_TEST((share >= 0.93 && share <= 0.97), "share " << share);
+      }
+    }
+  }
+}
 
 BOOST_AUTO_TEST_SUITE_END()
