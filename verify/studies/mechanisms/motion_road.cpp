@@ -44,7 +44,7 @@ RoadState plus(const RoadState& s, double h, const RoadState& rate) {
 class Road {
  public:
   Road(const MechanismScene& scene, const Entry& entry)
-      : scene_(scene), entry_(entry), model_(scene, entry, entry.probe_xi) {}
+      : scene_(scene), model_(scene, entry, entry.probe_xi) {}
 
   RoadState start() const {
     RoadState out;
@@ -160,7 +160,6 @@ class Road {
   }
 
   const MechanismScene& scene_;
-  const Entry& entry_;
   mechanism::Model<double> model_;
 };
 
