@@ -23,4 +23,7 @@ bool lost_output();
 /// from a file or a caller.
 std::string printable(std::string_view text);
 
+/// The same as text of HTML, XML or SVG, between tags and in attributes.
+std::string escaped(std::string_view text);
+
 }  // namespace halfway::reports

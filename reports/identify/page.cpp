@@ -12,30 +12,13 @@ namespace {
 
 namespace id = reference::identify;
 
-std::string html(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string section(const char* title, const std::string& content) {
   return content.empty() ? "" : fmt::format("<section><h2>{}</h2>\n{}</section>\n", title, content);
 }
 
 std::string cells(const char* tag, const std::vector<std::string>& texts) {
   std::string out = "<tr>";
-  for (const std::string& text : texts) out += fmt::format("<{0}>{1}</{0}>", tag, html(text));
+  for (const std::string& text : texts) out += fmt::format("<{0}>{1}</{0}>", tag, escaped(text));
   return out + "</tr>\n";
 }
 
@@ -47,10 +30,10 @@ std::string table(const std::vector<std::string>& heads, const std::string& rows
 std::string found_section(const Identified& what) {
   std::string rows;
   for (const auto& [name, text] : summary_lines(what))
-    rows += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html(name), html(text));
+    rows += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(name), escaped(text));
   return section("What was found",
                  fmt::format("<p>{}</p>\n<div class=\"scroll\"><table><tbody>\n{}</tbody></table></div>\n",
-                             html(summary_head(what)), rows));
+                             escaped(summary_head(what)), rows));
 }
 
 std::string stages_section(const Identified& what) {
@@ -86,7 +69,7 @@ std::string catalog_section(const Identified& what) {
 
 std::string notes_section(const Identified& what) {
   std::string out;
-  for (const std::string& note : what.notes) out += fmt::format("<li>{}</li>\n", html(note));
+  for (const std::string& note : what.notes) out += fmt::format("<li>{}</li>\n", escaped(note));
   return out.empty() ? "" : section("What was assumed", "<ul>\n" + out + "</ul>\n");
 }
 
@@ -101,12 +84,12 @@ std::string identify_page(const Identified& what) {
   std::string out = identify_template();
   fill(out, "data-state=\"loading\"", "data-state=\"ready\"");
   fill(out, "@DESCRIPTION@", "A joint identified from measured curves.");
-  fill(out, "@TITLE@", "Halfway: " + html(what.source));
+  fill(out, "@TITLE@", "Halfway: " + escaped(what.source));
   fill(out, "@STYLE@", identify_style());
   fill(out, "@SUBTITLE@", "a joint from measured curves");
   // Nothing on it is drawn by a script.
   fill(out, "<noscript><p>@NOSCRIPT@</p></noscript>",
-       fmt::format("<h1>{}</h1>\n", html(std::filesystem::path(what.source).filename().string())) +
+       fmt::format("<h1>{}</h1>\n", escaped(std::filesystem::path(what.source).filename().string())) +
            found_section(what) +
            section("What is left", "<figure class=\"chart\">" + residuals_svg(what) + "</figure>\n") +
            stages_section(what) + catalog_section(what) + notes_section(what));

@@ -12,7 +12,7 @@ using reference::Finding;
 using reference::Verdict;
 
 /// Text of an attribute or element. XML 1.0 has no way to write most control characters: dropped.
-std::string escaped(const std::string& text) {
+std::string xml_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
@@ -42,9 +42,9 @@ std::string escaped(const std::string& text) {
 }
 
 std::string test_case(const Finding& finding) {
-  const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(finding.subject),
-                                       escaped(finding.name));
-  const std::string why = escaped(explain(finding));
+  const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                                       xml_text(finding.subject), xml_text(finding.name));
+  const std::string why = xml_text(explain(finding));
   switch (finding.verdict) {
     case Verdict::fail:
       return open + fmt::format(">\n      <failure type=\"finding\">{}</failure>\n    </testcase>\n", why);
@@ -71,10 +71,10 @@ std::string benchmark_suite(const std::vector<bench::Timing>& timings) {
   std::string cases;
   for (const bench::Timing& timing : timings) {
     const std::string open =
-        fmt::format("    <testcase classname=\"benchmark\" name=\"{}\"", escaped(timing.name));
+        fmt::format("    <testcase classname=\"benchmark\" name=\"{}\"", xml_text(timing.name));
     cases += timing.wrong
                  ? fmt::format("{}>\n      <failure type=\"benchmark\">{}</failure>\n    </testcase>\n", open,
-                               escaped(timing.message))
+                               xml_text(timing.message))
                  : open + "/>\n";
   }
   return fmt::format(
@@ -105,7 +105,7 @@ std::string junit_xml(const Results& results) {
                  [&](const Finding& finding) { return finding.subject == subject; });
     const Tally count = tally(group);
     xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
-                       escaped(subject), count.total(), count.fail, count.left_out);
+                       xml_text(subject), count.total(), count.fail, count.left_out);
     for (const Finding& finding : group) xml += test_case(finding);
     xml += "  </testsuite>\n";
   }

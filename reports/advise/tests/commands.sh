@@ -3,18 +3,9 @@
 #   commands.sh HALFWAY_ADVISE
 set -eu
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
-refused() {  # STATUS WORDS ARGUMENT...
-  wanted=$1 words=$2 status=0
-  shift 2
-  "$program" advise "$@" >said 2>&1 || status=$?
-  [ $status -eq "$wanted" ] || { cat said; fail "$* ended with $status, not $wanted"; }
-  grep -qF -- "$words" said || { cat said; fail "$* does not say '$words'"; }
-  [ "$(wc -l <said)" -eq 1 ] || { cat said; fail "$* says more than one line"; }
-}
+ask() { "$program" advise "$@"; }
+# shellcheck source=reports/tests/commands.sh
+. "$(dirname "$0")/../../tests/commands.sh"
 said() {  # WORDS ARGUMENT...
   words=$1
   shift
@@ -33,7 +24,7 @@ for file in index.html advice.json map.csv; do
 done
 grep -q '<title>Halfway: advice for c3_buckling</title>' out/advise/c3_buckling/index.html || fail "the page has no title"
 grep -q '^50,.*,invariant' out/advise/c3_buckling/map.csv || fail "the map of ratio 50 has no invariant"
-refused 2 'cannot be a folder' c1_skewed_torque --out /proc/no/such/folder
+refused_in_one_line 2 'cannot be a folder' c1_skewed_torque --out /proc/no/such/folder
 
 # For programs: one document on stdout, nothing beside it.
 said '"schema": "halfway-advice-1"' c1_skewed_torque --json
@@ -58,18 +49,18 @@ TOML
 printf 'factor, theta_x, theta_y, theta_z\n0,0,0,0\n10,0.0159,1e-5,4e-5\n50,0.0797,2e-4,2e-4\n100,0.1593,8e-4,4e-4\n' >mine.csv
 said 'mine.csv, 3 rows up to load factor 100' mine.toml --truth mine.csv
 printf 'factor,theta_x\n10,oops\n' >bad.csv
-refused 2 "bad.csv: line 2: 'oops' is not a finite number" mine.toml --truth bad.csv
+refused_in_one_line 2 "bad.csv: line 2: 'oops' is not a finite number" mine.toml --truth bad.csv
 printf 'factor,theta_x\n10,1\n5,1\n' >bad.csv
-refused 2 'bad.csv: line 3: load factor 5: must ascend from 0' mine.toml --truth bad.csv
+refused_in_one_line 2 'bad.csv: line 3: load factor 5: must ascend from 0' mine.toml --truth bad.csv
 printf 'load,theta_x\n10,1\n' >bad.csv
-refused 2 "bad.csv: line 1: no column 'factor'; found: load, theta_x" mine.toml --truth bad.csv
+refused_in_one_line 2 "bad.csv: line 1: no column 'factor'; found: load, theta_x" mine.toml --truth bad.csv
 printf 'factor,phi\n10,1\n' >bad.csv
-refused 2 'bad.csv: line 1: no column of an output; found: factor, phi; allowed: theta_x' mine.toml --truth bad.csv
+refused_in_one_line 2 'bad.csv: line 1: no column of an output; found: factor, phi; allowed: theta_x' mine.toml --truth bad.csv
 printf 'factor,theta_x\n200,1\n' >bad.csv
-refused 2 'load factor 200, lies beyond what is asked' mine.toml --truth bad.csv
+refused_in_one_line 2 'load factor 200, lies beyond what is asked' mine.toml --truth bad.csv
 : >bad.csv
-refused 2 'bad.csv: no row with a load factor above 0' mine.toml --truth bad.csv
-refused 2 '--truth none.csv: no such file' mine.toml --truth none.csv
+refused_in_one_line 2 'bad.csv: no row with a load factor above 0' mine.toml --truth bad.csv
+refused_in_one_line 2 '--truth none.csv: no such file' mine.toml --truth none.csv
 
 # Laws that no kernel takes, and a shaft.
 sed -e 's/^compliance.*/k1 = [10, 20, 30]\nk3 = [5, 5, 5]/' -e 's/"linear"/"polynomial"/' -e 's/^factor_end.*/factor_end = 0.1/' mine.toml >curved.toml
@@ -78,19 +69,19 @@ sed -e 's/^compliance.*/stiffness = [0, 30, 30]/' -e 's/^value.*/value = [0, 2, 
 said 'the shaft turns freely' shaft.toml
 
 # What is wrong with the question.
-refused 2 "unknown scene 'c3_buckeling' (did you mean 'c3_buckling'?)" c3_buckeling
-refused 2 'nowhere.toml: no such scene file' nowhere.toml
+refused_in_one_line 2 "unknown scene 'c3_buckeling' (did you mean 'c3_buckling'?)" c3_buckeling
+refused_in_one_line 2 'nowhere.toml: no such scene file' nowhere.toml
 printf 'title = "x"\n[joint]\nkind = "angular"\n' >broken.toml
-refused 2 'broken.toml' broken.toml
-refused 2 'a scene of a mechanism; allowed: a scene of one joint' four_bar
-refused 2 'a scene of a chain; allowed: a scene of one joint' roll_up
-refused 2 '--tolerance 0: allowed: above 0 and below 1' c1_skewed_torque --tolerance 0
-refused 2 '--tolerance' c1_skewed_torque --tolerance much
-refused 2 '--tolerance nan: allowed' c1_skewed_torque --tolerance nan
-refused 2 '--degrees 200: allowed: above 0 and below 180' c1_skewed_torque --degrees 200
-refused 2 '--measure max: allowed: norm' c1_skewed_torque --measure max
-refused 2 '--periods -1: allowed: 0 or more' c1_skewed_torque --periods -1
-refused 2 '--truth oracle: allowed: auto, rod, chain:N, body' c1_skewed_torque --truth oracle
-refused 2 '--truth chain:1: allowed: chain:N' c1_skewed_torque --truth chain:1
-refused 2 '--truth body: scene c1_skewed_torque is of no body whose 3D analysis is kept' c1_skewed_torque --truth body
-refused 2 '--truth rod: scene c6_compression_shear: no joint.length' c6_compression_shear --truth rod
+refused_in_one_line 2 'broken.toml' broken.toml
+refused_in_one_line 2 'a scene of a mechanism; allowed: a scene of one joint' four_bar
+refused_in_one_line 2 'a scene of a chain; allowed: a scene of one joint' roll_up
+refused_in_one_line 2 '--tolerance 0: allowed: above 0 and below 1' c1_skewed_torque --tolerance 0
+refused_in_one_line 2 '--tolerance' c1_skewed_torque --tolerance much
+refused_in_one_line 2 '--tolerance nan: allowed' c1_skewed_torque --tolerance nan
+refused_in_one_line 2 '--degrees 200: allowed: above 0 and below 180' c1_skewed_torque --degrees 200
+refused_in_one_line 2 '--measure max: allowed: norm' c1_skewed_torque --measure max
+refused_in_one_line 2 '--periods -1: allowed: 0 or more' c1_skewed_torque --periods -1
+refused_in_one_line 2 '--truth oracle: allowed: auto, rod, chain:N, body' c1_skewed_torque --truth oracle
+refused_in_one_line 2 '--truth chain:1: allowed: chain:N' c1_skewed_torque --truth chain:1
+refused_in_one_line 2 '--truth body: scene c1_skewed_torque is of no body whose 3D analysis is kept' c1_skewed_torque --truth body
+refused_in_one_line 2 '--truth rod: scene c6_compression_shear: no joint.length' c6_compression_shear --truth rod

@@ -12,6 +12,8 @@
 namespace halfway::advise {
 namespace {
 
+using reports::escaped;
+
 constexpr double kWidth = 760, kHeight = 420, kLeftEdge = 74, kTopEdge = 16, kBottomEdge = 46,
                  kRightEdge = 16;
 
@@ -107,23 +109,6 @@ std::string decades(const LogAxis& x, const LogAxis& y) {
 constexpr double kMapDegrees[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100};
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : reports::printable(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string evidence_svg(const Advice& advice) {
   Extremes costs, errors;

@@ -15,7 +15,4 @@ std::string map_svg(const Advice& advice, const std::vector<MapColumn>& columns)
 /// ratio, from_deg, to_deg, advised ("" none); a row a piece.
 std::string map_csv(const std::vector<MapColumn>& columns);
 
-/// Text as HTML and SVG have it.
-std::string escaped(const std::string& text);
-
 }  // namespace halfway::advise

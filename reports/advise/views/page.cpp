@@ -2,6 +2,7 @@
 
 #include "reports/advise/views/charts.hpp"
 #include "reports/advise/views/words.hpp"
+#include "reports/cli/streams.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace halfway::advise {
 namespace {
 
 std::string paragraph(const std::string& text, const char* kind) {
-  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, escaped(text));
+  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, reports::escaped(text));
 }
 
 /// The summary's lines: the advice as the answer, the others below it.
@@ -34,11 +35,11 @@ std::string row_html(const Advice& advice, std::size_t i) {
       "<tr class=\"{}\"><th scope=\"row\"><code>{}</code></th><td class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td>{}</td></tr>\n",
-      kind, escaped(j.candidate.name(advice.truth.scene.joint.kind)),
+      kind, reports::escaped(j.candidate.name(advice.truth.scene.joint.kind)),
       j.cost.ns > 0 ? fmt::format("{:.3g}", j.cost.ns) : "",
       std::isfinite(j.error) ? percent(j.error) : "ends",
       j.reach.rotation > 0 ? fmt::format("{:.3g}", j.reach.rotation / kDegree) : "",
-      escaped(remark(advice, i)));
+      reports::escaped(remark(advice, i)));
 }
 
 std::string table_html(const Advice& advice) {
@@ -72,13 +73,13 @@ std::string advice_page(const Advice& advice, const std::vector<MapColumn>& map,
       "content=\"width=device-width, "
       "initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n";
   out += fmt::format("<title>Halfway: advice for {}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
-                     escaped(advice.question.scene.name), page_style());
+                     reports::escaped(advice.question.scene.name), page_style());
   out +=
       "<header class=\"top\"><p class=\"brand\">Halfway <span>which joint does a scene need, and no "
       "more</span></p></header>\n<main id=\"main\">\n";
   out += fmt::format(
       "<section class=\"headline\"><h1>{}</h1>\n{}<p class=\"note\"><code>{}</code></p></section>\n",
-      escaped(advice.question.scene.title), answer_html(advice), escaped(command));
+      reports::escaped(advice.question.scene.title), answer_html(advice), reports::escaped(command));
   out += "<div class=\"parts\">\n";
   out += figure("What each costs and misses", evidence_svg(advice),
                 "Left is faster, down is truer; hollow: out whatever its error. A mark's title says why.");

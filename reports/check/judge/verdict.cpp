@@ -62,29 +62,6 @@ bool matches(const std::string& pattern, const std::string& id) {
   return id == pattern;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : reports::printable(text)) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 /// A cell of a table: no pipe may end it.
 std::string cell(std::string text) {
   for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2) text.replace(i, 1, "\\|");
@@ -160,19 +137,21 @@ std::string as_junit(const Verdict& v) {
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"{}\" tests=\"{}\" "
       "failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
-      escaped(v.hello.name), v.results.size() + v.lost.size(), failures, count(v, Status::left_out));
+      reports::escaped(v.hello.name), v.results.size() + v.lost.size(), failures, count(v, Status::left_out));
   for (const Result& r : v.results) {
-    out += fmt::format("<testcase classname=\"halfway.check\" name=\"{}\">", escaped(r.id));
+    out += fmt::format("<testcase classname=\"halfway.check\" name=\"{}\">", reports::escaped(r.id));
     if (r.status == Status::fail || r.status == Status::unexpected_pass)
-      out += fmt::format("<failure message=\"{}\">{}</failure>", word(r.status), escaped(line_of(r)));
-    if (r.status == Status::left_out) out += fmt::format("<skipped message=\"{}\"/>", escaped(r.where));
+      out +=
+          fmt::format("<failure message=\"{}\">{}</failure>", word(r.status), reports::escaped(line_of(r)));
+    if (r.status == Status::left_out)
+      out += fmt::format("<skipped message=\"{}\"/>", reports::escaped(r.where));
     out += "</testcase>\n";
   }
   for (const std::string& lost : v.lost)
     out += fmt::format(
         "<testcase classname=\"halfway.check\" name=\"{}\"><failure "
         "message=\"lost\">{}</failure></testcase>\n",
-        escaped(lost.substr(0, lost.find(':'))), escaped(lost));
+        reports::escaped(lost.substr(0, lost.find(':'))), reports::escaped(lost));
   return out + "</testsuite>\n</testsuites>\n";
 }
 
@@ -188,8 +167,9 @@ std::string as_badge(const Verdict& v) {
 }
 
 std::string as_ctest(const Verdict& v) {
-  std::string out = fmt::format(
-      "<CTestMeasurement type=\"text/string\" name=\"joint\">{}</CTestMeasurement>\n", escaped(who(v)));
+  std::string out =
+      fmt::format("<CTestMeasurement type=\"text/string\" name=\"joint\">{}</CTestMeasurement>\n",
+                  reports::escaped(who(v)));
   const auto number = [&](const char* name, double x) {
     if (std::isfinite(x))
       out += fmt::format("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{}</CTestMeasurement>\n",

@@ -2,17 +2,9 @@
 # The command itself: files in and out, refusals, exit codes.  commands.sh HALFWAY_CHECK XSD_FOLDER SCHEMA HALFWAY
 set -eu
 check=$1 xsd=$2 schema=$3 halfway=$4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
-refused() {  # STATUS WORDS ARGUMENT...
-  wanted=$1 words=$2 status=0
-  shift 2
-  "$check" check "$@" >said 2>&1 || status=$?
-  [ $status -eq "$wanted" ] || { cat said; fail "$* ended with $status, not $wanted"; }
-  grep -qF -- "$words" said || { cat said; fail "$* does not say '$words'"; }
-}
+ask() { "$check" check "$@"; }
+# shellcheck source=reports/tests/commands.sh
+. "$(dirname "$0")/../../tests/commands.sh"
 
 # A healthy joint.
 "$check" check --command "'$check' subject conformal" --junit j.xml --markdown m.md --badge b.json --ctest >said 2>told || fail "conformal fails: $(cat said)"

@@ -17,22 +17,6 @@ constexpr std::array kDashes = {"none", "7 3", "2 3"};
 
 constexpr double kLegendRow = 18;
 
-/// XML 1.0 has no way to write control characters: shown as a person would write them.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (char c : printable(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string stroke(std::size_t curve) {
   return fmt::format(R"(stroke="{}" stroke-dasharray="{}")", kColours[curve % kColours.size()],
                      kDashes[curve / kColours.size() % kDashes.size()]);

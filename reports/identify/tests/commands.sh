@@ -3,18 +3,9 @@
 #   commands.sh HALFWAY_IDENTIFY HALFWAY SAMPLES
 set -eu
 identify=$1 halfway=$2 samples=$3
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
-refused() {  # STATUS WORDS ARGUMENT...
-  wanted=$1 words=$2 status=0
-  shift 2
-  "$identify" identify "$@" >said 2>&1 || status=$?
-  [ $status -eq "$wanted" ] || { cat said; fail "$* ended with $status, not $wanted"; }
-  grep -qF -- "$words" said || { cat said; fail "$* does not say '$words'"; }
-  [ "$(wc -l <said)" -eq 1 ] || { cat said; fail "$*: more than one line"; }
-}
+ask() { "$identify" identify "$@"; }
+# shellcheck source=reports/tests/commands.sh
+. "$(dirname "$0")/../../tests/commands.sh"
 
 # Every sample becomes a scene that is solved.
 for sample in "$samples"/*.csv; do
@@ -43,17 +34,17 @@ grep -q '"schema": "halfway-identify-1"' f.json || fail "no schema"
 grep -q '^  xi of moments         2-3: 0\.44[78]' said || { cat said; fail "xi of the frustum"; }
 
 # What a person may get wrong.
-refused 2 'no.csv: cannot be read' no.csv
-refused 2 'it is a folder' .
-refused 2 'is there already; allowed: --force' "$samples/frustum.csv"
-refused 2 "is no scene's name" "$samples/frustum.csv" --out scene.txt
-refused 1 'cannot' "$samples/frustum.csv" --out /proc/no/such/folder/x.toml
+refused_in_one_line 2 'no.csv: cannot be read' no.csv
+refused_in_one_line 2 'it is a folder' .
+refused_in_one_line 2 'is there already; allowed: --force' "$samples/frustum.csv"
+refused_in_one_line 2 "is no scene's name" "$samples/frustum.csv" --out scene.txt
+refused_in_one_line 1 'cannot' "$samples/frustum.csv" --out /proc/no/such/folder/x.toml
 printf 'm_x [N],theta_x [rad]\n1,1\n' >unit.csv
-refused 2 'unit.csv:1: m_x [N]: is in N, which is no N m' unit.csv
+refused_in_one_line 2 'unit.csv:1: m_x [N]: is in N, which is no N m' unit.csv
 printf 'm_x [N m],theta_x [rad]\n1,0.1\n' >few.csv
-refused 2 'few.csv: 1 measured numbers for 1 unknowns' few.csv
+refused_in_one_line 2 'few.csv: 1 measured numbers for 1 unknowns' few.csv
 head -c 3000 "$identify" >program.csv
-refused 2 'program.csv:1: ' program.csv
+refused_in_one_line 2 'program.csv:1: ' program.csv
 [ ! -e few.toml ] && [ ! -e unit.toml ] || fail "a refused file left a scene"
 if find . -name '*.part' | grep -q .; then fail "a temporary file is left"; fi
 
