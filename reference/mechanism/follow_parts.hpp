@@ -49,6 +49,7 @@ Follower<T>::Follower(const Model<T>& model) : model_(model) {
   if (!floats_.empty()) return;
   const auto is_held = [](const BodyLoad& load) { return load.held; };
   if (!resting_.isZero(T(0)) || std::ranges::any_of(model.scene().loads, is_held)) {
+    look_at_start();
     const Reached<T> initial = follow(reached_, stage_, T(1));
     held_reached_ = initial.factor;
     reached_ = initial;
@@ -57,13 +58,23 @@ Follower<T>::Follower(const Model<T>& model) : model_(model) {
   enter(stage_of<T>(model.scene(), 1));
 }
 
-/// Nothing is known of the slope on a new stage.
 template <class T>
 void Follower<T>::enter(const Stage<T>& stage) {
   stage_ = stage;
+  look_at_start();
+}
+
+/// On a new stage the path has another slope.
+template <class T>
+void Follower<T>::look_at_start() {
+  const Equations<T> here = equations();
+  Vector<T> slope = here.slope();
+  if (!slope.allFinite()) slope.setZero();
   for (std::size_t i = 0; i < reached_.last.size(); ++i)
-    reached_.last[i] = reached_.before[i] = {stage.begin, reached_.state.at[i]};
-  reached_.exerted_slope.setZero();
+    reached_.last[i] = {stage_.begin, reached_.state.at[i], model_.of_body(slope, model_.bodies()[i])};
+  reached_.before = reached_.last;
+  reached_.exerted_slope = slope.tail(model_.prescribed());
+  reached_.sign = here.sign();
 }
 
 template <class T>
@@ -119,13 +130,24 @@ T Follower<T>::largest_turn(const Poses<T>& from, const Poses<T>& to) const {
 }
 
 template <class T>
-State<T> Follower<T>::start_of(const Reached<T>& from, const T& factor) const {
+State<T> Follower<T>::ahead_of(const Reached<T>& from, const T& factor) const {
   State<T> ahead = from.state;
   for (std::size_t i = 0; i < ahead.at.size(); ++i)
     ahead.at[i] =
         displaced<Kind::linear_angular, T>(from.state.at[i], predicted(from.before[i], from.last[i], factor));
   ahead.exerted += (factor - from.factor) * from.exerted_slope;
-  return largest_turn(from.state.at, ahead.at) <= SolverOptions<T>{}.largest_turn ? ahead : from.state;
+  return ahead;
+}
+
+/// So near that a change of sign on the way is a branching on the path, and not the other side of a fold.
+template <class T>
+bool Follower<T>::is_near(const Reached<T>& from, const Equations<T>& found, const Moved<T>& moved) const {
+  const T limit = SolverOptions<T>{}.crossing_turn;
+  T shift(0);
+  for (std::size_t i = 0; i < from.state.at.size(); ++i)
+    keep_largest(shift, T((found.state().at[i].x - from.state.at[i].x).norm()));
+  return largest_turn(from.state.at, found.state().at) <= limit &&
+         shift <= limit * (moved.shift + found.length());
 }
 
 template <class T>
@@ -160,7 +182,11 @@ template <class T>
 NewtonRun<T> Follower<T>::attempt(Reached<T>& out, const Stage<T>& stage, const T& factor) const {
   constexpr double kCoarse = 1e-5;  // as of one joint
   const SolverOptions<T> options;
-  Equations<T> system(model_, stage, resting_, holds_, factor, start_of(out, factor));
+  const State<T> ahead = ahead_of(out, factor);
+  // The prediction, where it is near enough to be trusted.
+  const T foretold = largest_turn(out.state.at, ahead.at);
+  Equations<T> system(model_, stage, resting_, holds_, factor,
+                      foretold <= options.largest_turn ? ahead : out.state);
   NewtonRun<T> run = newton<T>(system, options.corrections_per_step);
   out.iterations += run.corrections;
   if (run.stop != NewtonStop::rounding && run.stop != NewtonStop::stalled) return run;
@@ -168,8 +194,10 @@ NewtonRun<T> Follower<T>::attempt(Reached<T>& out, const Stage<T>& stage, const 
   const Moved<T> moved = moved_until(out.moved, system.state().at);
   const auto within = [&](const T& relative) { return is_within(model_, system, error, moved, relative); };
   const bool is_state = run.stop == NewtonStop::rounding || within(T(kCoarse));
-  const bool is_near = largest_turn(out.state.at, system.state().at) <= options.largest_turn;
-  run.stop = is_state && is_near ? NewtonStop::rounding : NewtonStop::stalled;
+  const bool is_ours = largest_turn(out.state.at, system.state().at) <= options.largest_turn &&
+                       is_foretold(largest_turn(ahead.at, system.state().at), foretold, options) &&
+                       (system.sign() * out.sign >= 0 || is_near(out, system, moved));
+  run.stop = is_state && is_ours ? NewtonStop::rounding : NewtonStop::stalled;
   if (run.stop != NewtonStop::rounding) return run;
   out.status = within(options.accuracy) ? Status::converged : Status::inaccurate;
   out.factor = factor;

@@ -137,18 +137,18 @@ NodeMatrix<T> EquilibriumProblem<T>::node_tangent(const Pose<T>& joint, const T&
 
 template <class T>
 Outcome<T> EquilibriumProblem<T>::follow(const Outcome<T>& from, const T& factor_to, const JointLoad<T>& rate,
-                                         const JointLoad<T>* base) const {
+                                         const JointLoad<T>* base, const SolverOptions<T>& options) const {
   return by_kind(spec_.kind, [&](auto tag) {
     constexpr Kind kind = decltype(tag)::value;
     const auto inside = [this](const Pose<T>& joint) { return internal<unknown_count(kind)>(joint); };
-    const SolverOptions<T> options;
     return PathFollower<kind, T, decltype(inside)>(inside, rate, options, from, base).to(factor_to);
   });
 }
 
 template <class T>
-Outcome<T> EquilibriumProblem<T>::follow_to(const Outcome<T>& from, const T& factor_to) const {
-  return follow(from, factor_to, load_, held());
+Outcome<T> EquilibriumProblem<T>::follow_to(const Outcome<T>& from, const T& factor_to,
+                                            const SolverOptions<T>& options) const {
+  return follow(from, factor_to, load_, held(), options);
 }
 
 template <class T>
@@ -173,7 +173,7 @@ Outcome<T> EquilibriumProblem<T>::initial(T* reached) const {
   Outcome<T> out = follow({}, T(1), rate, &holding);
   if (reached) *reached = out.factor;
   out.factor = T(0);
-  out.last = out.before = {T(0), out.joint};
+  out.sign = 0;  // on a path of its own, whose slope nobody knows
   return out;
 }
 

@@ -71,7 +71,8 @@ class EquilibriumProblem {
   /// loads are put on. @param reached  set to how far that came, 0 ... 1
   Outcome<T> initial(T* reached = nullptr) const;
   /// From an equilibrium on to another load factor in load steps.
-  Outcome<T> follow_to(const Outcome<T>& from, const T& factor_to) const;
+  Outcome<T> follow_to(const Outcome<T>& from, const T& factor_to,
+                       const SolverOptions<T>& options = {}) const;
   /// The equilibrium next to a state, at one load factor.
   Outcome<T> equilibrium_near(const Pose<T>& joint, const T& factor) const;
 
@@ -97,7 +98,7 @@ class EquilibriumProblem {
   Pose<T> clamped_;
   /// @param base, rate  acting is factor rate + base; base: nullptr for none
   Outcome<T> follow(const Outcome<T>& from, const T& factor_to, const JointLoad<T>& rate,
-                    const JointLoad<T>* base) const;
+                    const JointLoad<T>* base, const SolverOptions<T>& options = {}) const;
   const JointLoad<T>* held() const { return has_held_ ? &held_ : nullptr; }
 
   JointLoad<T> load_, held_;  ///< those that grow with the load factor, and those that do not

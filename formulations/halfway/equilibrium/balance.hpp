@@ -141,6 +141,16 @@ class LoadedJoint {
   const Pose<T>& joint() const { return joint_; }
   /// d(dx, psi) / d(load factor) along the path.
   Vector slope() const { return solved(J_, by_factor_); }
+  /// Of the tangent's determinant: 1, -1, or 0 where it is zero or no number. It changes where a path folds
+  /// or branches.
+  int sign() const {
+    T determinant;
+    if constexpr (n == 3)
+      determinant = J_.determinant();
+    else
+      determinant = J_.partialPivLu().determinant();
+    return int(determinant > T(0)) - int(determinant < T(0));
+  }
   /// What the rounding of the loads, or what is left of the imbalance, can be off in each unknown: |J^-1| r.
   Vector error() const {
     const Vector off = imbalance_.cwiseAbs().cwiseMax(rounding_);

@@ -49,6 +49,7 @@ struct Outcome {
   int steps = 0;                        ///< accepted load steps
   T residual{0};                        ///< |internal - applied| / |applied| there
   PathKnot<T> last{}, before{};         ///< from which the next step is predicted
+  int sign = 0;                         ///< of the tangent's determinant there; 0: not known
 };
 
 /// Cubic through the last two points and their slopes; straight on while they are one.
@@ -97,6 +98,7 @@ class PathFollower {
 
   Outcome<T> to(const T& end) {
     const T start = out_.factor;
+    if (out_.sign == 0) look_at_start();
     const auto stopped = in_load_steps<T>(start, end, options_, [this](const T& factor) {
       const NewtonRun<T> run = attempt(factor);
       out_.iterations += run.corrections;
@@ -110,9 +112,23 @@ class PathFollower {
   static constexpr double kCoarse =
       1e-5;  // what stalls at such an error is a state; the outcome says how good
 
+  /// The slope and the sign where nothing has been solved for yet.
+  void look_at_start() {
+    System system(internal_, load_, out_.factor, out_.joint, held_);
+    system.look();
+    const Motion<T> slope = widened<kind, T>(system.slope());
+    out_.last = {out_.factor, out_.joint, slope.allFinite() ? slope : Motion<T>::Zero()};
+    out_.before = out_.last;
+    out_.sign = system.sign();
+  }
+
   /// One load step; NewtonStop::rounding says that it was taken.
   NewtonRun<T> attempt(const T& factor) {
-    System system(internal_, load_, factor, start_of(factor), held_);
+    const Pose<T> ahead =
+        displaced<kind>(out_.joint, narrowed<kind>(predicted(out_.before, out_.last, factor)));
+    // The prediction, where it is near enough to be trusted.
+    const T foretold = turn_between(out_.joint, ahead);
+    System system(internal_, load_, factor, foretold <= options_.largest_turn ? ahead : out_.joint, held_);
     NewtonRun<T> run = newton<T>(system, options_.corrections_per_step);
     if (run.stop != NewtonStop::rounding && run.stop != NewtonStop::stalled) return run;
     const Motion<T> error = widened<kind, T>(system.error());
@@ -120,8 +136,10 @@ class PathFollower {
       return is_small(error, system.joint(), relative, load_.reach, system.length());
     };
     const bool is_state = run.stop == NewtonStop::rounding || within(T(kCoarse));
-    run.stop = is_state && turn_to(system.joint()) <= options_.largest_turn ? NewtonStop::rounding
-                                                                            : NewtonStop::stalled;
+    const bool is_ours = turn_between(out_.joint, system.joint()) <= options_.largest_turn &&
+                         is_foretold(turn_between(ahead, system.joint()), foretold, options_) &&
+                         (system.sign() * out_.sign >= 0 || is_near(system));
+    run.stop = is_state && is_ours ? NewtonStop::rounding : NewtonStop::stalled;
     if (run.stop == NewtonStop::rounding) accept(factor, system, error, within(options_.accuracy));
     return run;
   }
@@ -132,22 +150,25 @@ class PathFollower {
     out_.joint = system.joint();
     out_.error = error;
     out_.residual = system.residual();
+    out_.sign = system.sign();
     out_.before = out_.last;
     out_.last = {factor, out_.joint, widened<kind, T>(system.slope())};
     ++out_.steps;
   }
 
-  /// The prediction, where it is near enough to be trusted.
-  Pose<T> start_of(const T& factor) const {
-    const Pose<T> ahead =
-        displaced<kind>(out_.joint, narrowed<kind>(predicted(out_.before, out_.last, factor)));
-    return turn_to(ahead) <= options_.largest_turn ? ahead : out_.joint;
+  /// So near to the last accepted state that a change of sign between them is a branching on the path, and
+  /// not the other side of a fold.
+  bool is_near(const System& system) const {
+    const Pose<T>& joint = system.joint();
+    const T reach = std::max(T(joint.x.norm()), T(out_.joint.x.norm())) + system.length();
+    return turn_between(out_.joint, joint) <= options_.crossing_turn &&
+           T((joint.x - out_.joint.x).norm()) <= options_.crossing_turn * reach;
   }
 
-  /// From the last accepted state, rad.
-  T turn_to(const Pose<T>& joint) const {
+  /// rad
+  static T turn_between(const Pose<T>& from, const Pose<T>& to) {
     if constexpr (kind == Kind::linear) return T(0);
-    return so3::log<T>(joint.R * out_.joint.R.transpose()).norm();
+    return so3::log<T>(to.R * from.R.transpose()).norm();
   }
 
   const Internal& internal_;

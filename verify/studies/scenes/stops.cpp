@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace halfway::verify {
@@ -100,16 +101,80 @@ Finding named(const Entry& entry, const Scene& scene, const std::string& what) {
       .by(Oracle::independent);
 }
 
+/// Where the path ends that load steps follow, asked for so many points.
+Outcome<double> end_of(const Scene& scene, const Entry& entry, int points,
+                       const SolverOptions<double>& options = {}) {
+  const reference::EquilibriumProblem<double> problem(scene, entry, entry.probe_xi);
+  Outcome<double> at = problem.initial();
+  for (int i = 1; i <= points && at.status == Status::converged; ++i)
+    at = problem.follow_to(at, scene.factor_end * i / points, options);
+  return at;
+}
+
+/// Of the path by arc length; NaN where it does not fold.
+double first_fold(const Scene& scene, const Entry& entry) {
+  reference::ContinuationOptions options;
+  options.end_factor = scene.factor_end;
+  for (const auto& s : reference::Continuation(scene, entry, entry.probe_xi, options).from_rest().singular)
+    if (s.type == reference::Singularity::fold) return s.state.factor;
+  return std::nan("");
+}
+
+constexpr std::array kPointCounts{1, 7, 30, 144};
+
+/// How many of the ways by so many points end elsewhere than the path by arc length folds, or, where it does
+/// not fold, than the way by twice as many does.
+int elsewhere(const Scene& scene, const Entry& entry, const SolverOptions<double>& options = {}) {
+  constexpr double kSame = 1e-4;  // relative: load steps shrink to 1e-9 of an advance, a fold to its root
+  const double fold = first_fold(scene, entry);
+  const Outcome<double> finest = end_of(scene, entry, 2 * kPointCounts.back());
+  const double place = std::isnan(fold) ? finest.factor : fold;
+  int out = !(std::abs(finest.factor - place) <= kSame * place);
+  for (const int points : kPointCounts) {
+    const Outcome<double> end = end_of(scene, entry, points, options);
+    // The last steps before a fold are short in the load and long in the state.
+    const double turn = so3::log<double>(end.joint.R * finest.joint.R.transpose()).norm();
+    out += !(std::abs(end.factor - place) <= kSame * place && turn <= std::sqrt(kSame));
+  }
+  return out;
+}
+
+Finding of_any_steps(const Entry& entry, const std::string& name) {
+  return finding(fmt::format("{}/stops/{}/points", entry.name, name))
+      .of(std::string(entry.name))
+      .about("stops")
+      .measured(elsewhere(scene(name), entry))
+      .in("ways that end elsewhere")
+      .at_most(0, "a path has one end, however many points of it are asked for")
+      .by(Oracle::independent);
+}
+
 /// The scene above, and the canonical ones in which paths end.
 std::vector<Finding> all_named(const Entry& entry) {
   std::vector<Finding> out = {named(entry, overloaded(), "cause")};
-  for (const char* name : {"c1_extended", "c3_buckling"}) out.push_back(named(entry, scene(name), name));
+  for (const char* name : {"c1_extended", "c3_buckling"}) {
+    out.push_back(named(entry, scene(name), name));
+    out.push_back(of_any_steps(entry, name));
+  }
   return out;
+}
+
+/// Load steps that take whatever is within 0.35 rad jump over the fold of `jointc`.
+std::vector<Finding> long_steps() {
+  SolverOptions<double> trusting;
+  trusting.crossing_turn = trusting.largest_turn;
+  return {finding("stops/long_steps/told")
+              .about("stops")
+              .measured(elsewhere(scene("c3_buckling"), *reference::find_formulation("jointc"), trusting))
+              .in("ways that end elsewhere")
+              .at_least(1, "a solver without the two guards of branches must be told apart")
+              .by(Oracle::independent)};
 }
 
 }  // namespace
 
 void stops(Checks& checks) {
+  checks.push_back({"stops/long_steps", "scenes", long_steps});
   for (const Entry& entry : reference::formulations()) {
     checks.push_back({fmt::format("{}/stops", entry.name), "scenes", [&entry] { return all_named(entry); }});
   }
