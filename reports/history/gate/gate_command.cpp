@@ -73,15 +73,17 @@ void run_self(const GateOptions& o) {
   places.layouts = 12;
   plan.programs = find_side(o.base, places).programs;
   plan.slowed_runs = o.slowed > 0 ? o.slowed : (o.self + 3) / 4;
-  plan.command = fmt::format("./halfway gate{} --self {} --slowed {} --min-time {} --slower {}",
-                             o.base.empty() ? "" : " BASE", o.self, plan.slowed_runs, o.bench.min_time,
-                             fmt::join(o.slower, ","));
+  if (o.self == 0) plan.rules.allowed = read_allowed(o.spread);
+  plan.command =
+      fmt::format("./halfway gate{}{} --slowed {} --min-time {} --slower {}", o.base.empty() ? "" : " BASE",
+                  o.self > 0 ? fmt::format(" --self {}", o.self) : "", plan.slowed_runs, o.bench.min_time,
+                  fmt::join(o.slower, ","));
   fs::create_directories(folder);
   const reports::FolderLock lock(folder);
   Journal journal = open_journal(o, folder, about(o, plan.programs, {}));
   reports::Progress progress("comparisons");
   measure_self(plan, journal, folder, std::ref(progress));
-  reports::print(fmt::format("wrote {}\n", (folder / "self.json").string()));
+  reports::print(fmt::format("wrote {}\n", (folder / result_name(plan)).string()));
 }
 
 void add(Outcome& outcome, const Outcome& more) {
@@ -127,7 +129,7 @@ void run(const GateOptions& o) {
     throw reports::BadInput(fmt::format("--filter: '{}' is not a regular expression", o.bench.filter));
   }
   reports::catch_interrupts();
-  o.self > 0 ? run_self(o) : run_gate(o);
+  o.self > 0 || o.slowed > 0 ? run_self(o) : run_gate(o);
 }
 
 }  // namespace
@@ -156,7 +158,10 @@ void add_gate(CLI::App& app) {
   command->add_flag("--again", o->again, "Measure afresh what was measured before");
   command->add_option("--self", o->self, "So many comparisons of BASE with itself")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--slowed", o->slowed, "And so many of each slow-down; default: a quarter")
+  command
+      ->add_option("--slowed", o->slowed,
+                   "And so many of each slow-down; default: a quarter. Without --self: those alone, limits "
+                   "of --spread")
       ->check(CLI::Range(1, 10000));
   command->add_option("--slower", o->slower, "Slow-downs seeded by --self, shares")
       ->delimiter(',')

@@ -62,17 +62,17 @@ class Judge {
     const Compared first = compared(s.base, s.head);
     if (is_faster(first, rules_, allowed))
       add(Sense::improvement, name, fmt::format("{}, p = {:.1g}", sizes(first), first.faster));
-    if (is_slower(first, rules_, allowed)) slower(name, first, allowed);
+    if (is_slower(first, rules_, allowed)) slower(name, s, first, allowed);
   }
 
-  void slower(const std::string& name, const Compared& first, double allowed) {
+  void slower(const std::string& name, const Samples& s, const Compared& first, double allowed) {
     const auto found = measured_.again.find(name);
     const Compared again = found == measured_.again.end()
                                ? Compared{.ratio = std::numeric_limits<double>::quiet_NaN()}
                                : compared(found->second.base, found->second.head);
     if (found == measured_.again.end() || std::isnan(again.ratio))
       return add(Sense::regression, name, sizes(first) + ", and not measured when it was measured again");
-    if (!is_slower(again, rules_, allowed)) {
+    if (!comes_again(s, found->second, rules_, allowed)) {
       out_.notes.push_back(fmt::format("{}: {} at first, {:+.1f} % with fresh pairs: no alarm", name,
                                        sizes(first), 100 * (again.ratio - 1)));
       return;

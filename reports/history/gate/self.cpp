@@ -34,8 +34,7 @@ void count(Tally& tally, const Measured& m, const std::string& figure, const Tim
   if (!is_slower(compared(s.base, s.head), rules, allowed)) return;
   ++tally.first;
   const auto again = m.again.find(figure);
-  tally.alarms +=
-      again != m.again.end() && is_slower(compared(again->second.base, again->second.head), rules, allowed);
+  tally.alarms += again != m.again.end() && comes_again(s, again->second, rules, allowed);
 }
 
 /// The processor and the number of cores.
@@ -80,7 +79,7 @@ class Self {
       for (int i = 0; i < plan_.slowed_runs; ++i)
         slowed_.back().push_back(measured(number_of(k, i), plan_.slower[k]));
     }
-    reports::write_file(folder_ / "self.json", result().dump(1) + '\n');
+    reports::write_file(folder_ / result_name(plan_), result().dump(1) + '\n');
   }
 
  private:
@@ -121,18 +120,20 @@ class Self {
   }
 
   ordered_json result() const {
-    Allowed even, all;
+    Allowed even, all = plan_.runs == 0 ? plan_.rules.allowed : Allowed{};
     for (std::size_t i = 0; i < plain_.size(); ++i) {
       include(all, plain_[i]);
       if (i % 2 == 0) include(even, plain_[i]);
     }
     ordered_json out{{"schema", "halfway-gate-self"}, {"version", 1}};
     out["command"] = plan_.command, out["machine"] = machine();
-    out["pairs"] = plan_.rules.pairs, out["chance"] = plan_.rules.chance, out["least"] = plan_.rules.least;
+    out["pairs"] = plan_.rules.pairs, out["chance"] = plan_.rules.chance;
+    out["again"] = plan_.rules.again, out["least"] = plan_.rules.least;
     out["layouts"] = plan_.programs.size(), out["layouts_a_side"] = sides_of(plan_, 0).base.programs.size();
     out["runs"] = plan_.runs, out["slowed_runs"] = plan_.slowed_runs;
-    out["false_alarms"] = {{"odd_runs_under_limits_of_even_runs", json_of(total(plain_, even, 1, 2))},
-                           {"all_runs_under_3_percent", json_of(total(plain_, {}, 0, 1))}};
+    if (plan_.runs > 0)
+      out["false_alarms"] = {{"odd_runs_under_limits_of_even_runs", json_of(total(plain_, even, 1, 2))},
+                             {"all_runs_under_3_percent", json_of(total(plain_, {}, 0, 1))}};
     out["power"] = ordered_json::array();
     for (std::size_t k = 0; k < slowed_.size(); ++k) {
       ordered_json row{{"slower", plan_.slower[k]}};
@@ -144,7 +145,9 @@ class Self {
   }
 
   ordered_json figure(const std::string& name, double largest, const Allowed& all) const {
-    ordered_json out{{"largest", largest}, {"allowed", limit(all, name)}};
+    ordered_json out;
+    if (plan_.runs > 0) out["largest"] = largest;
+    out["allowed"] = limit(all, name);
     for (std::size_t k = 0; k < slowed_.size(); ++k)
       out["found"][fmt::format("{}", plan_.slower[k])] = total(slowed_[k], all, 0, 1, name).alarms;
     return out;
@@ -162,6 +165,8 @@ class Self {
 };
 
 }  // namespace
+
+std::string result_name(const SelfPlan& plan) { return plan.runs > 0 ? "self.json" : "power.json"; }
 
 Sides sides_of(const SelfPlan& plan, int run) {
   const std::size_t half = plan.programs.size() / 2, first = run % 2 == 0 ? 0 : half;

@@ -66,6 +66,16 @@ bool is_faster(const Compared& c, const TimeRules& rules, double allowed) {
   return c.faster < rules.chance && 1 / c.ratio > 1 + allowed;
 }
 
+bool comes_again(const Samples& first, const Samples& again, const TimeRules& rules, double allowed) {
+  const auto together = [](std::vector<double> a, const std::vector<double>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  return compared(again.base, again.head).slower < rules.again &&
+         is_slower(compared(together(first.base, again.base), together(first.head, again.head)), rules,
+                   allowed);
+}
+
 std::vector<double> of_usual_layouts(const std::vector<double>& samples, const std::vector<int>& layouts) {
   std::map<int, std::vector<double>> by_layout;
   for (std::size_t i = 0; i < samples.size(); ++i) by_layout[layouts[i]].push_back(samples[i]);

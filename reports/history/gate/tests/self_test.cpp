@@ -75,6 +75,22 @@ BOOST_AUTO_TEST_CASE(rates_power_and_limits) {
   BOOST_TEST(before == after);
 }
 
+// Slow-downs alone, under limits that were measured before.
+BOOST_AUTO_TEST_CASE(power_alone) {
+  const Scratch scratch;
+  SelfPlan plan = plan_in(scratch.folder());
+  plan.runs = 0;
+  plan.rules.allowed = {{"a", 0.03}, {"b", 0.3}, {"c", 0.03}};
+  Journal journal(scratch.folder() / "journal", {});
+  measure_self(plan, journal, scratch.folder(), silent);
+  const json result = json::parse(reports::read_file(scratch.folder() / "power.json"));
+  BOOST_TEST(!result.contains("false_alarms"));
+  BOOST_TEST(result["power"][0]["comparisons"] == 6);
+  BOOST_TEST(result["figures"]["a"]["found"]["0.1"] == 2);
+  BOOST_TEST(result["figures"]["b"]["found"]["0.1"] == 0);  // 30 % is allowed to it
+  BOOST_TEST(!result["figures"]["a"].contains("largest"));
+}
+
 // Two layouts that only odd runs have move a by 20 %. What even runs allow does not cover that: it is a false
 // alarm wherever both are on one side.
 BOOST_AUTO_TEST_CASE(limits_come_from_other_runs) {

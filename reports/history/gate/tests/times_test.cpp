@@ -116,6 +116,30 @@ BOOST_AUTO_TEST_CASE(alarm_that_does_not_come_again) {
   BOOST_TEST(has(outcome.notes[0], "no alarm"));
 }
 
+// Fresh pairs need not be as sure as the first ones, but they must be slower, and both together certain.
+BOOST_AUTO_TEST_CASE(what_comes_again_counts) {
+  const TimeRules rules{};
+  const std::vector<double> still{100, 101, 102, 100, 101, 102, 100, 101, 102};
+  const auto times = [](std::vector<double> all, double factor) {
+    for (double& ns : all) ns *= factor;
+    return all;
+  };
+  const Samples first{.base = still, .head = times(still, 1.1)};
+  const auto counts = [&](const Samples& again, double allowed = 0.03) {
+    return comes_again(first, again, rules, allowed);
+  };
+  BOOST_TEST(counts({.base = still, .head = times(still, 1.1)}));
+  const std::vector<double> six(still.begin(), still.begin() + 6);  // a layout set aside: ranks reach 0.0011
+  const Samples few{.base = six, .head = times(six, 1.1)};
+  BOOST_TEST(compared(few.base, few.head).slower > rules.chance);
+  BOOST_TEST(counts(few));
+  BOOST_TEST(!counts({.base = still, .head = still}));
+  BOOST_TEST(!counts({.base = still, .head = times(still, 1.1)}, 0.12));
+  // A little slower and sure of it: both rounds together are within what is allowed.
+  BOOST_TEST(!counts({.base = still, .head = times(still, 1.025)}, 0.08));
+  BOOST_TEST(!counts({}));
+}
+
 BOOST_AUTO_TEST_CASE(instructions_tell_layout_from_work) {
   Trial trial("time[\"b\"] *= 1.1");
   trial.base_count = 1000, trial.head_count = 1001;
