@@ -1,22 +1,23 @@
 // halfway eval: JSON lines on stdin, one answer each on stdout; exit 0 at the end of input.
 #include "reports/cli/commands.hpp"
-#include "reports/eval/eval_line.hpp"
-#include "reports/eval/input_lines.hpp"
+#include "reports/eval/answer_lines.hpp"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <malloc.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <iostream>
+#include <memory>
+#include <thread>
 
 namespace halfway::reports {
 namespace {
 
-constexpr std::size_t kLongestLine = std::size_t(16) << 20;  // bytes; a pose needs some hundreds
-constexpr std::size_t kMostUnwritten = std::size_t(64) << 10;
+constexpr std::size_t kOfOneThread = std::size_t(512) << 10;  // bytes of requests that are worth waiting for
 
 constexpr const char* kFields =
     R"(One JSON object a line; SI units, radians, global axes where nothing else is said.
@@ -69,12 +70,6 @@ void keep_memory() {
 #endif
 }
 
-void write_out(std::string& answers) {
-  std::cout << answers << std::flush;
-  if (!std::cout) throw FailedRun("cannot write standard output");
-  answers.clear();
-}
-
 std::size_t read_input(char* room, std::size_t size) {
   ssize_t count = 0;
   do count = ::read(STDIN_FILENO, room, size);
@@ -83,19 +78,25 @@ std::size_t read_input(char* room, std::size_t size) {
   return std::size_t(count);
 }
 
-/// Nobody waits for an answer whose request was read: they are written before more is read.
-void answer_all() {
+bool is_ready() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return ::poll(&input, 1, 0) > 0;
+}
+
+/// Nobody waits for an answer whose request was read: they are written before more is waited for. What is
+/// there already is read first, as much as keeps the threads busy.
+void answer_all(int threads) {
   InputLines input(kLongestLine, read_input);
-  std::string answers;
+  std::vector<InputLines::Line> lines;
+  // Beyond the longest line's bytes they would be taken for one.
+  const std::size_t enough = threads > 1 ? std::min(std::size_t(threads) * kOfOneThread, kLongestLine / 2) : 0;
   do {
-    while (const auto line = input.next()) {
-      answers += line->is_too_long ? eval_refusal("line_too_long",
-                                                  fmt::format("a line is longer than {} bytes", kLongestLine))
-                                   : eval_line(line->text);
-      answers += '\n';
-      if (answers.size() > kMostUnwritten) write_out(answers);
+    while (input.unread() < enough && is_ready() && input.read_more()) {
     }
-    write_out(answers);
+    lines.clear();
+    while (const auto line = input.next()) lines.push_back(*line);
+    std::cout << answered(lines, threads) << std::flush;
+    if (!std::cout) throw FailedRun("cannot write standard output");
   } while (input.read_more());
 }
 
@@ -104,10 +105,13 @@ void answer_all() {
 void add_eval(CLI::App& app) {
   CLI::App* command = app.add_subcommand("eval", "Answer JSON lines from standard input, one line each");
   command->footer(kFields);
-  command->callback([] {
+  const auto threads = std::make_shared<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command->add_option("--threads", *threads, "That share many lines; default: one a core")
+      ->check(CLI::Range(1, 256));
+  command->callback([threads] {
     std::ios::sync_with_stdio(false);
     keep_memory();
-    answer_all();
+    answer_all(*threads);
   });
 }
 

@@ -32,11 +32,12 @@ InputLines::Line InputLines::line_to(std::size_t end) {
 void InputLines::make_room() {
   if (end_ - begin_ > longest_) {
     is_too_long_ = true;
-    begin_ = end_;
+    begin_ = looked_at_ = end_;
   }
-  std::copy(bytes_.begin() + std::ptrdiff_t(begin_), bytes_.begin() + std::ptrdiff_t(end_), bytes_.begin());
+  if (begin_ > 0)
+    std::copy(bytes_.begin() + std::ptrdiff_t(begin_), bytes_.begin() + std::ptrdiff_t(end_), bytes_.begin());
   end_ -= begin_;
-  looked_at_ = end_;
+  looked_at_ -= begin_;
   begin_ = 0;
   if (end_ == bytes_.size()) bytes_.resize(2 * bytes_.size());
 }

@@ -25,6 +25,8 @@ class InputLines {
   std::optional<Line> next();
   /// @return  may there be a line now? There may be one more at the end of input.
   bool read_more();
+  /// Bytes that were read and are of no line yet that was given out.
+  std::size_t unread() const { return end_ - begin_; }
 
  private:
   Line line_to(std::size_t end);

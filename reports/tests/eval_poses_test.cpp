@@ -179,7 +179,8 @@ BOOST_AUTO_TEST_CASE(notes_are_few) {
 BOOST_AUTO_TEST_CASE(lines_in_pieces) {
   const std::string text = "one\n\ntoo long a line\n12345678\n" + std::string(200000, 'x') + "\r\nlast";
   const std::vector<std::string> expected = {"one", "", "?", "12345678", "?", "last"};
-  for (std::size_t piece : {1u, 2u, 7u, 65536u, 1000000u}) {
+  for (std::size_t piece : {1u, 2u, 7u, 65536u, 1000000u, 3u}) {
+    const bool waits = piece == 3;  // for more than a line, before the first is asked for
     std::size_t at = 0;
     reports::InputLines input(8, [&](char* room, std::size_t size) {
       const std::size_t count = text.copy(room, std::min(size, piece), at);
@@ -188,6 +189,8 @@ BOOST_AUTO_TEST_CASE(lines_in_pieces) {
     });
     std::vector<std::string> lines;
     do {
+      while (waits && input.unread() < 6 && input.read_more()) {
+      }
       while (const auto line = input.next())
         lines.push_back(line->is_too_long ? "?" : std::string(line->text));
     } while (input.read_more());

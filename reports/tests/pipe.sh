@@ -52,6 +52,14 @@ awk -v line="$valid" -v block="$block" 'BEGIN { for (i = 1; i <= 2000; ++i) { te
 awk '!index($0, "{\"id\":" NR ",\"strain\":" (NR % 2 ? "[" : "[[")) { bad = 1 } END { exit bad || NR != 2000 }' "$folder/out" ||
   fail "2000 lines are not answered in their order"
 
+# Shared out among threads, from a file or a pipe, they are the same.
+awk -v line="$valid" -v block="$block" 'BEGIN { for (i = 1; i <= 9000; ++i) { text = i % 3 ? line : block; if (i % 7 == 0) text = "no JSON " i; sub(/"id":1/, "\"id\":" i, text); print text } }' > "$folder/in"
+"$program" eval --threads 1 < "$folder/in" > "$folder/out" || fail "exit code $? of one thread"
+[ "$(wc -l < "$folder/out")" -eq 9000 ] || fail "one thread does not answer 9000 lines"
+"$program" eval --threads 4 < "$folder/in" | cmp -s - "$folder/out" || fail "four threads answer otherwise than one"
+dd bs=1000 < "$folder/in" 2> "$folder/err" | "$program" eval --threads 3 | cmp -s - "$folder/out" || fail "three threads answer a pipe otherwise than one"
+"$program" eval --threads 0 < "$folder/in" > "$folder/out" 2> "$folder/err" && fail "no thread is taken for some"
+
 "$program" eval --help | grep -q '^  poses ' || fail "eval --help does not name poses"
 
 # Bad commands: one line on stderr, exit 2.
