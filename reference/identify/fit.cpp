@@ -1,11 +1,12 @@
 #include "reference/identify/fit.hpp"
 
+#include "reference/identify/scatter.hpp"
+
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -131,48 +132,6 @@ void minimise(Problem& problem, Fit& out) {
     out.reason = status == GSL_SUCCESS ? "no minimum within the iterations" : gsl_strerror(status);
 }
 
-/// How many unknowns each channel pays for: the trace of its share of the hat matrix.
-std::array<double, kChannels> paid(const Eigen::MatrixXd& J, const Eigen::MatrixXd& covariance,
-                                   const std::vector<int>& channel) {
-  std::array<double, kChannels> out{};
-  for (Eigen::Index i = 0; i < J.rows(); ++i)
-    out[std::size_t(channel[std::size_t(i)])] += J.row(i) * covariance * J.row(i).transpose();
-  return out;
-}
-
-/// Degrees of freedom of each unknown's variance, which is a sum of shares of the channels, each as well
-/// known as the numbers that its scatter comes from (Satterthwaite 1946).
-Eigen::VectorXd satterthwaite(const Eigen::MatrixXd& J, const Eigen::MatrixXd& covariance,
-                              const std::vector<int>& channel, const std::array<double, kChannels>& left,
-                              int all) {
-  const Eigen::MatrixXd by_number = covariance * J.transpose();
-  Eigen::VectorXd out(J.cols());
-  for (Eigen::Index i = 0; i < J.cols(); ++i) {
-    std::array<double, kChannels> share{};
-    for (Eigen::Index n = 0; n < J.rows(); ++n)
-      share[std::size_t(channel[std::size_t(n)])] += by_number(i, n) * by_number(i, n);
-    double sum = 0, squares = 0;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      sum += share[c];
-      if (share[c] > 0) squares += share[c] * share[c] / std::max(1., left[c]);
-    }
-    out[i] = sum > 0 ? std::min(double(all), sum * sum / squares) : double(all);
-  }
-  return out;
-}
-
-/// (J^T J)^-1 by eigenvalues of the scaled matrix: directions without effect get a large but finite variance.
-Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& J) {
-  if (J.cols() == 0) return Eigen::MatrixXd(0, 0);
-  constexpr double kFloor = 1e-15;
-  const Eigen::VectorXd size = (J.colwise().norm().transpose().array() + 1e-300).matrix();
-  const Eigen::MatrixXd scaled = J * size.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.transpose() * scaled);
-  const Eigen::VectorXd inverse = eigen.eigenvalues().cwiseMax(kFloor).cwiseInverse();
-  const Eigen::MatrixXd V = size.cwiseInverse().asDiagonal() * eigen.eigenvectors();
-  return V * inverse.asDiagonal() * V.transpose();
-}
-
 }  // namespace
 
 Unknowns tied(const Unknowns& p, const Freedom& freedom) {
@@ -224,6 +183,9 @@ Fit fit(const Data& data, const MakeModel& make, const Unknowns& start, const Fr
         const std::array<double, kChannels>& sigma) {
   const std::vector<int> channel = channels(data);
   const auto size = sizes(data), first = first_sigma(data);
+  // Weights that an earlier fit found scatter as well: what the data say alone does not.
+  std::array<bool, kChannels> is_found{};
+  for (std::size_t c = 0; c < kChannels; ++c) is_found[c] = !(data.sigma[c] > 0);
   Fit out;
   out.freedom = freedom;
   for (std::size_t c = 0; c < kChannels; ++c) out.sigma[c] = sigma[c] > 0 ? sigma[c] : first[c];
@@ -243,19 +205,19 @@ Fit fit(const Data& data, const MakeModel& make, const Unknowns& start, const Fr
     const Eigen::MatrixXd J = (problem.weight.asDiagonal() * r.by_unknown).unaryExpr([](double x) {
       return std::isfinite(x) ? x : 0;
     });
-    out.covariance = inverse_normal(J);
+    const Scatter scatter = scatter_of(J, channel, is_found);
+    const Eigen::VectorXd inflation = scatter.inflation.cwiseSqrt();
+    out.covariance = inflation.asDiagonal() * scatter.covariance * inflation.asDiagonal();
     out.weighted = out.residual.cwiseProduct(problem.weight);
     out.own_degrees = Eigen::VectorXd::Constant(J.cols(), std::max(1, out.degrees));
     if (!out.converged) break;
-    const auto cost = paid(J, out.covariance, channel);
     std::array<double, kChannels> sum{}, count{}, next = out.sigma;
     for (std::size_t i = 0; i < channel.size(); ++i) {
       sum[std::size_t(channel[i])] += out.residual[Eigen::Index(i)] * out.residual[Eigen::Index(i)];
       count[std::size_t(channel[i])] += 1;
     }
-    std::array<double, kChannels> left{};
-    for (std::size_t c = 0; c < kChannels; ++c) left[c] = count[c] - cost[c];
-    out.own_degrees = satterthwaite(J, out.covariance, channel, left, std::max(1, out.degrees));
+    const auto& left = scatter.left;
+    out.own_degrees = scatter.degrees;
     bool is_steady = true;
     for (std::size_t c = 0; c < kChannels; ++c) {
       if (sigma[c] > 0 || count[c] == 0) continue;

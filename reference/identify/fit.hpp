@@ -14,9 +14,10 @@ struct Freedom {
 struct Fit {
   Unknowns p = no_unknowns();
   Freedom freedom{};
-  Eigen::MatrixXd covariance{};           ///< of freedom.active, by the residual's variance
-  Eigen::VectorXd residual{};             ///< measured - answered, SI
-  Eigen::VectorXd weighted{};             ///< over the standard deviation of the channel
+  Eigen::MatrixXd
+      covariance{};            ///< of freedom.active, by the residual's variance and the weights' own scatter
+  Eigen::VectorXd residual{};  ///< measured - answered, SI
+  Eigen::VectorXd weighted{};  ///< over the standard deviation of the channel
   std::array<double, kChannels> sigma{};  ///< of each channel: found, or as the data say
   Eigen::VectorXd own_degrees{};  ///< of freedom behind the deviation of each active unknown (Satterthwaite)
   int degrees = 0;                ///< of freedom left: numbers less unknowns

@@ -40,7 +40,7 @@ struct Reader {
   void begin_case();
   void end_case();
   std::vector<std::string_view> cells(std::string_view text) const;
-  double number(std::string_view text, const std::string& column) const;
+  double number(std::string_view text, const std::string& column, const reference::Unit& unit) const;
 };
 
 /// Of the separators of a head the one that occurs most.
@@ -70,14 +70,15 @@ std::vector<std::string_view> Reader::cells(std::string_view text) const {
   }
 }
 
-double Reader::number(std::string_view text, const std::string& column) const {
+/// In SI. What is too large for a double there is refused as what is no number.
+double Reader::number(std::string_view text, const std::string& column, const reference::Unit& unit) const {
   std::string plain(text);
   if (has_decimal_comma || separator == ';') std::ranges::replace(plain, ',', '.');
   const std::string key = fmt::format("{} = {}", column, reference::shortened(plain));
   double value = 0;
   std::size_t used = 0;
   try {
-    value = std::stod(plain, &used);
+    value = std::stod(plain, &used) * double(unit.factor);
   } catch (const std::exception&) {
     used = 0;
   }
@@ -122,7 +123,7 @@ void Reader::set_sigma(std::string_view text) {
     const auto channel = std::size_t(found - kNames.begin());
     const auto [value, unit_text] = reference::split_quantity(trimmed_cell(one.substr(equals + 1)));
     const reference::Unit unit = read_component_unit(unit_text, channel >= 2, channel % 2 ? 3 : 0, key, line);
-    const double size = number(value, key) * double(unit.factor);
+    const double size = number(value, key, unit);
     if (!(size > 0)) refuse_at(line, key, "is not positive", "a standard deviation above zero");
     out.data.sigma[channel] = size;
   }
@@ -186,8 +187,7 @@ void Reader::row(std::string_view text) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!columns[i]) continue;
     const Column& column = *columns[i];
-    (column.is_load ? load : motion)[column.component] =
-        number(all[i], column.name) * double(column.unit.factor);
+    (column.is_load ? load : motion)[column.component] = number(all[i], column.name, column.unit);
     (column.is_load ? open->has_load : open->has_motion)[std::size_t(column.component)] = true;
   }
   if (motion.tail<3>().norm() >= std::numbers::pi)

@@ -1,5 +1,6 @@
 #include "reports/identify/read_other.hpp"
 
+#include "reference/scene/text/document.hpp"
 #include "reports/identify/columns.hpp"
 #include "reports/import/readers/readers.hpp"
 
@@ -103,6 +104,18 @@ id::Data couplings_of(const Json& file, const std::string& asked, std::vector<st
   return out;
 }
 
+/// What a file of large or zero numbers makes of them.
+void check_finite(const id::Data& data) {
+  for (const id::LoadCase& one : data.cases) {
+    for (std::size_t row = 0; row < one.loads.size(); ++row) {
+      if (one.loads[row].allFinite() && one.motions[row].allFinite()) continue;
+      refuse_at(one.line, reference::shortened(one.name),
+                fmt::format("has loads or motions at point {} that are not finite", row + 1),
+                "results whose loads and motions are numbers, and compliances above zero");
+    }
+  }
+}
+
 /// Only rotations under moments: an angular joint, whatever moved besides.
 void make_angular(id::Data& data) {
   for (const id::LoadCase& one : data.cases) {
@@ -137,6 +150,7 @@ ReadCurves read_bus(std::string_view text) {
     }
     out.data.cases.push_back(std::move(one));
   }
+  check_finite(out.data);
   out.notes = joint.notes;
   for (const std::string& what : joint.lost) out.notes.push_back("lost: " + what);
   out.notes.emplace_back(
@@ -155,6 +169,7 @@ ReadCurves read_fe(std::string_view text, const std::string& law) {
     refuse_at(1, "the file", fmt::format("is JSON, but no result of reference/data/fe ({})", error.what()),
               "a text of columns, or a file such as reference/data/fe/fig_7.json");
   }
+  check_finite(out.data);
   make_angular(out.data);
   if (out.data.cases.empty()) refuse_at(1, "the file", "has no point", "curves of one point or more");
   return out;

@@ -4,6 +4,7 @@
 set -eu
 program=$1
 ask() { "$program" advise "$@"; }
+reports=$(cd "$(dirname "$0")/../.." && pwd)
 # shellcheck source=reports/tests/commands.sh
 . "$(dirname "$0")/../../tests/commands.sh"
 said() {  # WORDS ARGUMENT...
@@ -85,3 +86,10 @@ refused_in_one_line 2 '--truth oracle: allowed: auto, rod, chain:N, body' c1_ske
 refused_in_one_line 2 '--truth chain:1: allowed: chain:N' c1_skewed_torque --truth chain:1
 refused_in_one_line 2 '--truth body: scene c1_skewed_torque is of no body whose 3D analysis is kept' c1_skewed_torque --truth body
 refused_in_one_line 2 '--truth rod: scene c6_compression_shear: no joint.length' c6_compression_shear --truth rod
+
+# By its schema: one that is advised, none that suffices, without a truth; and spoilt ones are not.
+for question in 'c3_buckling --truth rod --degrees 47' 'c3_buckling --degrees 30' 'c1_skewed_torque --truth none'; do
+  # shellcheck disable=SC2086
+  "$program" advise $question --json >"${question##* }.json" 2>told || { cat told; fail "$question --json"; }
+done
+/usr/bin/python3 "$reports/tests/documents.py" "$reports/advice.schema.json" 47.json 30.json none.json || fail "documents are not by their schema"

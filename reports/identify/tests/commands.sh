@@ -4,6 +4,7 @@
 set -eu
 identify=$1 halfway=$2 samples=$3
 ask() { "$identify" identify "$@"; }
+reports=$(cd "$(dirname "$0")/../.." && pwd)
 # shellcheck source=reports/tests/commands.sh
 . "$(dirname "$0")/../../tests/commands.sh"
 
@@ -60,3 +61,14 @@ page=out/identify/frustum/index.html
 grep -q '<circle' "$page" || fail "the page has no residuals"
 grep -qF 'xi of moments' "$page" || fail "the page does not say xi"
 if grep -qE '@[A-Z]+@|src="|href="http|<script' "$page"; then fail "the page is not whole: $(grep -noE '@[A-Z]+@|src="|href="http|<script' "$page" | head -n 3)"; fi
+
+# By its schema: every sample, a joint that does not turn, one case alone, curved laws; and spoilt ones are not.
+printf 'f_x [N],f_y [N],u_x [mm],u_y [mm]\n-20,-1,-2.01,-0.2\n-10,-3,-0.99,-0.59\n10,1,1.02,0.21\n20,3,1.98,0.6\n30,9,3.01,1.79\n' >moved.csv
+awk 'BEGIN {print "m_x [N m],theta_x [rad]"; for (i = -8; i <= 8; ++i) if (i) {x = i / 40; printf "%.6f,%.6f\n", 10 * x + 400 * x * x * x + 0.0005 * (i % 3), x}}' >curved.csv
+for data in "$samples"/*.csv one.csv moved.csv curved.csv; do
+  name=$(basename "$data" .csv)
+  "$identify" identify "$data" --json --force --out "$name.toml" >"$name.json" 2>told || { cat told; fail "--json of $name"; }
+done
+grep -q '"k3_about"' curved.json || fail "curved.csv has no curved law"
+/usr/bin/python3 "$reports/tests/documents.py" "$reports/identify.schema.json" frustum.json block.json tapered_rod.json one.json moved.json curved.json ||
+  fail "documents are not by their schema"
