@@ -50,7 +50,8 @@ using Factors = std::vector<double>;
 struct BodyLoad : SceneLoad {
   int body = 0;
   Factors factors{};
-  std::vector<double> times{};  ///< of a scene in time: those of the factors, s; straight in between
+  /// Of a scene in time: those of the factors, s; straight in between. Twice the same is a jump.
+  std::vector<double> times{};
 };
 
 /// How a scene in time is integrated.
@@ -62,6 +63,8 @@ struct SceneTime {
   double step = 0;          ///< largest of a splitting, s
   long most_steps =
       400'000;  ///< of runge_kutta: tens of thousands of periods, some ten seconds a formulation
+  /// Bodies begin where the loads of time 0 are balanced, those that jump there before they do.
+  bool from_equilibrium = false;
 };
 
 /// What a body is made to do, from its pose while nothing is loaded.

@@ -61,12 +61,22 @@ void refuse_beside(const Field& file, const char* key, const char* what, const c
     field->refuse(fmt::format("stands beside a table [time]: {}", what), allowed);
 }
 
+/// From 0 on, never back, no time more than twice.
+bool go_on(const std::vector<double>& times) {
+  if (times.empty() || !(times.front() >= 0)) return false;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const bool is_jump_alone = times[i] == times[i - 1] && (i == 1 || times[i - 2] < times[i]);
+    if (!(times[i] > times[i - 1] || is_jump_alone)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void read_time(const Field& file, MechanismScene& scene) {
   const auto time = file.find("time");
   if (!time) return;
-  time->has_only({"duration", "points", "integrator", "tolerance", "step"});
+  time->has_only({"duration", "points", "integrator", "tolerance", "step", "start"});
   refuse_beside(file, "path", "a motion has no load factor", "one of the two; loads have times and factors");
   refuse_beside(file, "motion", "motions are prescribed to equilibria alone",
                 "loads with times and factors, or a table [path] without [time]");
@@ -79,6 +89,8 @@ void read_time(const Field& file, MechanismScene& scene) {
     const Names names(std::begin(kIntegrators), std::end(kIntegrators));
     scene.time->integrator = Integrator(std::ranges::find(names, integrator->one_of(names)) - names.begin());
   }
+  if (const auto start = time->find("start"))
+    scene.time->from_equilibrium = start->one_of({"rest", "equilibrium"}) == "equilibrium";
   if (scene.time->integrator == Integrator::runge_kutta)
     read_tolerance(*time, scene);
   else
@@ -89,6 +101,12 @@ SceneStart read_start(const Field& table, const MechanismScene& scene, const Sce
   if (!scene.time) table.refuse("stands without a table [time]", "start in a scene in time");
   if (!body.moves) table.refuse("is of a body that is clamped", "a body that is not clamped");
   table.has_only({"theta", "u", "velocity", "spin", "spin_body"});
+  for (const char* pose : {"theta", "u"}) {
+    const auto field = scene.time->from_equilibrium ? table.find(pose) : std::nullopt;
+    if (field)
+      field->refuse("stands beside [time] start = \"equilibrium\", which says where the bodies begin",
+                    "velocity, spin or spin_body; or start = \"rest\"");
+  }
   SceneStart out;
   read_part(table, "theta", body, true, out.theta);
   read_part(table, "u", body, false, out.u);
@@ -110,12 +128,10 @@ void read_times(const Field& load, const MechanismScene& scene, BodyLoad& out) {
   const auto times = load.find("times"), factors = load.find("factors");
   if (!times && !factors) return;
   if (!times) factors->refuse("stands without times", "times, s, beside it");
-  const std::string allowed = "at least one number, s, from 0 on, each later than the one before";
+  const std::string allowed =
+      "at least one number, s, from 0 on, each later than the one before, or two the same for a jump";
   out.times = times->numbers(allowed, dimension::time);
-  const auto is_not_later = [](double before, double after) { return !(after > before); };
-  if (out.times.empty() || out.times.front() < 0 ||
-      std::ranges::adjacent_find(out.times, is_not_later) != out.times.end())
-    times->refuse("do not go on", allowed);
+  if (!go_on(out.times)) times->refuse("do not go on", allowed);
   const std::string as_many = fmt::format("{} numbers, one for each of times", out.times.size());
   out.factors = load.at("factors", as_many).numbers(as_many, dimension::none);
   if (out.factors.size() != out.times.size())

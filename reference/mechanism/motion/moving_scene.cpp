@@ -28,7 +28,8 @@ double multiplier(const BodyLoad& load, double time, double on_part) {
 
 }  // namespace
 
-MovingScene::MovingScene(const MechanismScene& scene, const Choice& choice)
+MovingScene::MovingScene(const MechanismScene& scene, const Choice& choice,
+                         const std::vector<Pose<double>>& begin)
     : scene_(scene), entry_(*choice.entry) {
   for (const auto& pose : initial_poses<double>(scene)) rest_.push_back(*pose);
   for (const SceneJoint& joint : scene.joints) {
@@ -36,7 +37,7 @@ MovingScene::MovingScene(const MechanismScene& scene, const Choice& choice)
     specs_.back().xi = choice.xi;
   }
   for (const SceneBody& body : scene.bodies) add_body(body);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) add_start(scene.bodies[i], i);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) add_start(scene.bodies[i], begin[i]);
   for (const BodyLoad& load : scene.loads) {
     const JointEnd<double> node{Vec3<double>::Zero(), rest_[std::size_t(load.body)].R.transpose()};
     loads_.push_back(
@@ -65,15 +66,15 @@ void MovingScene::add_body(const SceneBody& body) {
   masses_.push_back(mass);
 }
 
-void MovingScene::add_start(const SceneBody& body, std::size_t i) {
+void MovingScene::add_start(const SceneBody& body, const Pose<double>& node) {
   const SceneStart& start = body.start;
+  const std::size_t i = start_.size();
   const Mass& mass = masses_[i];
-  const Mat3<double> R = so3::exp<double>(start.theta) * rest_[i].R;
-  const Vec3<double> spin = start.is_spin_of_body ? Vec3<double>(R * start.spin) : start.spin;
-  const Vec3<double> arm = R * mass.center;
+  const Vec3<double> spin = start.is_spin_of_body ? Vec3<double>(node.R * start.spin) : start.spin;
+  const Vec3<double> arm = node.R * mass.center;
   dynamics::BodyState& out = start_.emplace_back();
-  out.x = rest_[i].x + start.u + arm;
-  out.q = quaternion_of(R * mass.axes);
+  out.x = node.x + arm;
+  out.q = quaternion_of(node.R * mass.axes);
   dynamics::set_motion(system_.bodies[i], start.velocity + spin.cross(arm), spin, out);
   if (!body.moves || *body.moves == Kind::angular) out.p.setZero();
 }

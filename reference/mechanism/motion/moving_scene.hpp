@@ -20,8 +20,8 @@ struct Moving {
 
 class MovingScene {
  public:
-  /// The scene must outlive it.
-  MovingScene(const MechanismScene& scene, const Choice& choice);
+  /// The scene must outlive it. @param begin  the bodies' nodes at the start, global axes
+  MovingScene(const MechanismScene& scene, const Choice& choice, const std::vector<Pose<double>>& begin);
   MovingScene(const MovingScene&) = delete;
   MovingScene& operator=(const MovingScene&) = delete;
 
@@ -53,7 +53,7 @@ class MovingScene {
     Mat3<double> axes = Mat3<double>::Identity();  ///< principal axes -> axes of the body
   };
   void add_body(const SceneBody& body);
-  void add_start(const SceneBody& body, std::size_t i);
+  void add_start(const SceneBody& body, const Pose<double>& node);
   Damping<double> damper(std::size_t joint, const Moving& now) const;
   void set_loads(const dynamics::State& state, dynamics::Loads& sum) const;
   /// What acts on a body about its node, carried to its centre; without what a held body does not feel.

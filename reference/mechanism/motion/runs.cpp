@@ -20,6 +20,11 @@ std::vector<double> jumps_of(const MechanismScene& scene) {
   return out;
 }
 
+bool jumps_at(const MechanismScene& scene, double time) {
+  return std::ranges::any_of(scene.loads,
+                             [&](const BodyLoad& load) { return std::ranges::count(load.times, time) > 1; });
+}
+
 bool is_finite(const dynamics::State& state) {
   return std::ranges::all_of(state, [](const dynamics::BodyState& s) {
     return std::isfinite(s.x.sum() + s.q.sum() + s.p.sum() + s.L.sum());
@@ -74,6 +79,7 @@ std::string Run::split(double to) {
 std::string Run::advance_to(double to) {
   if (to <= time()) return "";
   on_part_ = (time() + to) / 2;
+  if (runge_kutta_ && jumps_at(moving_.scene(), time())) runge_kutta_->restart();
   return runge_kutta_ ? in_words(runge_kutta_->advance(to)) : split(to);
 }
 

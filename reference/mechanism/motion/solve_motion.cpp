@@ -1,5 +1,6 @@
 #include "reference/mechanism/motion/solve_motion.hpp"
 
+#include "reference/mechanism/motion/beginning.hpp"
 #include "reference/mechanism/motion/runs.hpp"
 #include "reference/record/worst.hpp"
 #include "reference/scene/joint/convexity.hpp"
@@ -13,6 +14,7 @@
 namespace halfway::reference {
 namespace {
 
+using mechanism::Beginning;
 using mechanism::Moment;
 using mechanism::Moving;
 using mechanism::MovingScene;
@@ -28,10 +30,16 @@ double apart(const Moving& one, const Moving& other) {
   return out;
 }
 
+std::string does_not_begin(const std::string& cause) { return "does not begin: " + cause; }
+
 class Motion {
  public:
-  Motion(const MechanismScene& scene, const Choice& choice)
-      : scene_(scene), moving_(scene, choice), run_(moving_, false), finer_(moving_, true) {
+  Motion(const MechanismScene& scene, const Choice& choice, const Beginning& begin)
+      : scene_(scene),
+        moving_(scene, choice, begin.nodes),
+        run_(moving_, false),
+        finer_(moving_, true),
+        error_at_start_(begin.error) {
     at_start_ = run_.moment().energies.total();
   }
 
@@ -50,7 +58,7 @@ class Motion {
     curve.residual = balance_ / (largest_energy_ > 0 ? largest_energy_ : 1);
     curve.outcome = cause_.empty() ? "reached"
                     : curve.rows.empty()
-                        ? "does not begin: " + cause_
+                        ? does_not_begin(cause_)
                         : fmt::format("stopped at {:.6g} s: {}", curve.rows.back()[0], cause_);
     return curve;
   }
@@ -61,7 +69,7 @@ class Motion {
     for (const std::string& name : scene_.outputs)
       row.push_back(mechanism::motion_output(moving_, moment, at_start_, name));
     curve.rows.push_back(std::move(row));
-    curve.errors.push_back(error_of(moment));
+    curve.errors.push_back(error_at_start_ + error_of(moment));
     curve.poses.push_back(moment.now.nodes);
     auto& reactions = curve.reactions.emplace_back();
     for (std::size_t j = 0; j < scene_.joints.size(); ++j)
@@ -111,13 +119,18 @@ class Motion {
   Run run_, finer_;
   std::vector<Vec3<double>> turns_{};  ///< of the joints at the point before
   std::string cause_{};
-  double at_start_ = 0, balance_ = 0, largest_energy_ = 0;
+  double error_at_start_, at_start_ = 0, balance_ = 0, largest_energy_ = 0;
 };
 
 }  // namespace
 
 Curve solve_motion(const MechanismScene& scene, const Choice& choice, const Told& told) {
-  return Motion(scene, choice).solved(empty_curve(scene, choice), told);
+  Curve curve = empty_curve(scene, choice);
+  const Beginning begin = mechanism::beginning(scene, choice);
+  if (begin.cause.empty()) return Motion(scene, choice, begin).solved(std::move(curve), told);
+  curve.cause = begin.cause;
+  curve.outcome = does_not_begin(begin.cause);
+  return curve;
 }
 
 }  // namespace halfway::reference

@@ -143,6 +143,8 @@ std::string RungeKutta::advance(double time) {
   return "";
 }
 
+void RungeKutta::restart() { gsl_odeiv2_evolve_reset(parts_->evolve.get()); }
+
 State RungeKutta::state() const {
   State out(parts_->bodies);
   unpack(parts_->y.data(), out);

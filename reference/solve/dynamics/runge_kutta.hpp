@@ -28,6 +28,9 @@ class RungeKutta {
   /// On to a time, s. @return  "", or why it stopped early; the state is then the last good one.
   std::string advance(double time);
 
+  /// Forgets the rates of the last step: the loads jump here.
+  void restart();
+
   State state() const;
   double dissipated() const;  ///< integral of System::dissipation, J
   Driven driven() const;      ///< work: integral of the power of System::drive, J

@@ -1,5 +1,7 @@
 #include "reports/cli/chain/chain_page.hpp"
 
+#include "reference/chain/scenes/chain_ends.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,6 +63,19 @@ Json loads_json(const reference::ChainScene& scene, std::size_t body) {
   return out;
 }
 
+/// Of the two ends, at each row; empty where they are not known.
+Json holding_json(const reference::ChainScene& scene, const ChainAnswer& answer) {
+  const auto& entry = *reference::find_formulation(answer.curve.formulation);
+  const auto chain = reference::chain_of(scene, {&entry, answer.curve.xi});
+  Json out = Json::array();
+  for (const auto& shape : answer.shapes) {
+    const auto held = reference::holding_ends(entry, chain, shape.nodes);
+    if (!held) return Json::array();
+    out.push_back({load_numbers((*held)[0]), load_numbers((*held)[1])});
+  }
+  return out;
+}
+
 Json chain_json(const reference::ChainScene& scene) {
   const auto& [GJ, EI2, EI3, EA, GA2, GA3] = scene.chain.section;
   return {{"links", scene.chain.links},
@@ -82,8 +97,9 @@ Json chain_page_data(const reference::ChainScene& scene, const Ran& ran,
   out["loads"] = loads_json(scene, shown.size() - 1);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     Json& curve = out["curves"][i];
-    curve["poses"] = curve["holding"] = Json::array();
+    curve["poses"] = Json::array();
     for (const auto& shape : answers[i].shapes) curve["poses"].push_back(shape_json(shape.nodes, shown));
+    curve["holding"] = holding_json(scene, answers[i]);
   }
   return out;
 }

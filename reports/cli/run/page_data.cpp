@@ -97,8 +97,7 @@ Json comparison_json(const std::vector<reference::Curve>& curves) {
 /// What holds each node there, (force, moment about it) of a, then of b, global axes: q = dU/dx.
 Json held_by(const reference::Entry& entry, const reference::JointSpec& spec, const Pose<double>& b) {
   const auto q = reference::node_loads<double>(entry, spec, {}, b, false).q;
-  return Json::array(
-      {short_numbers(Eigen::VectorXd(q.head<6>())), short_numbers(Eigen::VectorXd(q.tail<6>()))});
+  return Json::array({load_numbers(q.head<6>()), load_numbers(q.tail<6>())});
 }
 
 /// Poses, and what holds the nodes, at each row of a curve.
@@ -119,8 +118,7 @@ void add_reactions(const reference::Curve& curve, Json& out) {
   for (const auto& row : curve.reactions) {
     Json joints = Json::array();
     for (const auto& loads : row)
-      joints.push_back(
-          {short_numbers(Eigen::VectorXd(loads.head<6>())), short_numbers(Eigen::VectorXd(loads.tail<6>()))});
+      joints.push_back({load_numbers(loads.head<6>()), load_numbers(loads.tail<6>())});
     out["reactions"].push_back(joints);
   }
 }
@@ -154,6 +152,8 @@ Json motion_json(const reference::SceneMotion& motion) {
 }  // namespace
 
 Json vector_json(const Vec3<double>& v) { return numbers(v); }
+
+Json load_numbers(const Eigen::Matrix<double, 6, 1>& load) { return short_numbers(load); }
 
 Json pose_json(const Pose<double>& pose) {
   Json out = short_numbers(pose.x);

@@ -31,5 +31,7 @@ Json page_data(const reference::MechanismScene& scene, const Ran& ran);
 /// x (m) and unit quaternion w, x, y, z, node axes to global ones, in eight digits: what a drawing needs.
 Json pose_json(const Pose<double>& pose);
 Json vector_json(const Vec3<double>& v);
+/// A force and a moment, likewise in eight digits.
+Json load_numbers(const Eigen::Matrix<double, 6, 1>& load);
 
 }  // namespace halfway::reports

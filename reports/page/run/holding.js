@@ -1,4 +1,4 @@
-// What holds the bodies where they are: reactions at a clamped node, the load on the other.
+// What holds the bodies where they are: reactions at a clamped node, the load on the other; a chain's ends.
 import {h, plainTable} from '../dom.js';
 import {full, short} from '../format.js';
 import {unbalanced} from './run_data.js';
@@ -22,7 +22,7 @@ function content({run, state, chosen}) {
   const loads = holding[state.row];
   if (!loads) return h('p', {class: 'note'}, `Nobody says what holds the nodes of ${label}.`);
   const [force, moment] = largestOf(loads);
-  const hasForces = run.joints.some((j) => j.kind !== 'angular');
+  const hasForces = Boolean(run.chain) || run.joints.some((j) => j.kind !== 'angular');
   const columns = [
     {text: 'holds'},
     ...(hasForces ? ['x', 'y', 'z'].map((k) => ({text: `force ${k}, N`, number: true})) : []),
@@ -33,8 +33,11 @@ function content({run, state, chosen}) {
     ...(hasForces ? load.slice(0, 3).map((x) => cell(x, force)) : []),
     ...load.slice(3).map((x) => cell(x, moment))
   ];
-  const sum = unbalanced(loads, poses[state.row]);
-  const reach = Math.max(...poses[state.row].map((p) => Math.hypot(...p.slice(0, 3))));
+  const isHeld = (/** @type {number} */ i) => !run.chain || i === 0 || i === run.bodies.length - 1;
+  const bodies = run.bodies.filter((_, i) => isHeld(i));
+  const at = poses[state.row].filter((_, i) => isHeld(i));
+  const sum = unbalanced(loads, at);
+  const reach = Math.max(...at.map((p) => Math.hypot(...p.slice(0, 3))));
   const isBalanced =
     Math.hypot(...sum.slice(0, 3)) <= kBalanced * force &&
     Math.hypot(...sum.slice(3)) <= kBalanced * (moment + reach * force);
@@ -42,7 +45,7 @@ function content({run, state, chosen}) {
     plainTable(
       `What holds the nodes of ${label}`,
       columns,
-      run.bodies.map((b, i) => row(nodeWords(b.name), loads[i])),
+      bodies.map((b, i) => row(nodeWords(b.name), loads[i])),
       `${label} at ${placeText(run, state.factor, 5)}; axes of the scene, moments about each node`
     ),
     h(

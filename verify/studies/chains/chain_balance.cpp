@@ -1,11 +1,10 @@
 // The solver's answer judged joint by joint: each node of a chain is in equilibrium by the loads that its
 // joints have alone, on the run-time face, which shares neither batches nor sweeps with the solver.
+#include "reference/chain/scenes/chain_ends.hpp"
 #include "verify/check.hpp"
 #include "verify/studies/chains/chain_orders.hpp"
 
 #include <fmt/format.h>
-
-#include <utility>
 
 namespace halfway::verify {
 namespace {
@@ -15,38 +14,12 @@ using reference::Entry;
 using reference::JointSpec;
 using reference::Measurement;
 
-/// Where the stress-free curve is after arc length s, seen from where it starts.
-JointEnd<double> along_curve(const Vec3<double>& curvature, double s) {
-  const Vec3<double> turn = s * curvature;
-  return {so3::gamma<double>(turn) * Vec3<double>(s, 0, 0), so3::exp<double>(turn)};
-}
-
-/// The joint at the middle of a link, its node a the one nearer to the root or the other.
-JointSpec joint_of(const Entry& entry, const chain::Chain& c) {
-  const double h = c.length / double(c.links);
-  const chain::Section& s = c.section;
-  JointSpec out;
-  out.kind = Kind::linear_angular;
-  out.xi = c.xi.value_or(out.xi);
-  Eigen::VectorXd k(6);
-  k << s.EA, s.GA2, s.GA3, s.GJ, s.EI2, s.EI3;
-  if (entry.needs_length) {  // the whole of its link: what bends gives way across as well, h^3/(12 EI)
-    k[1] = 1 / (1 / k[1] + h * h / (12 * s.EI3)), k[2] = 1 / (1 / k[2] + h * h / (12 * s.EI2));
-    out.length = h, out.axis = c.node_order == chain::NodeOrder::tip_first ? -1 : 1;
-  }
-  out.law = reference::LinearSpec{Eigen::MatrixXd((k / h).asDiagonal())};
-  out.a = along_curve(c.curvature, h / 2);
-  out.b = along_curve(c.curvature, -h / 2);
-  if (c.node_order == chain::NodeOrder::tip_first) std::swap(out.a, out.b);
-  return out;
-}
-
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// Internal loads (f, m) on each node, less what acts on the last one.
 std::vector<Vec6> imbalances(const Entry& entry, const chain::Chain& c, const chain::EndLoads& loads,
                              const std::vector<chain::Node>& nodes) {
-  const JointSpec spec = joint_of(entry, c);
+  const JointSpec spec = reference::chain_joint(entry, c);
   const bool root_first = c.node_order == chain::NodeOrder::root_first;
   std::vector<Vec6> out(nodes.size(), Vec6::Zero());
   for (std::size_t j = 1; j < nodes.size(); ++j) {
@@ -89,6 +62,43 @@ Finding judged_balance(const Entry& entry, const std::string& what, const chain:
       .by(Oracle::independent);
 }
 
+/// What holds the ends by their joints: at the tip what was applied there, at the root what balances that,
+/// where the moments of a joint balance.
+std::vector<Finding> ends(const Entry& entry, const std::string& what, const chain::Chain& c,
+                          const chain::EndLoads& loads, const chain::Solution& found) {
+  Measurement tip, root;
+  const auto held = reference::holding_ends(entry, c, found.nodes);
+  if (found.converged && held) {
+    const Pose<double> last = chain::pose(found.nodes.back());
+    const Vec3<double> force = loads.force + last.R * loads.follower_force;
+    Vec3<double> moment = loads.moment + last.R * loads.follower_moment;
+    for (int k = 0; k < 3; ++k) moment += Vec3<double>(last.R.col(k)).cross(loads.virial.col(k));
+    const Vec3<double> about_root = moment + (last.x - c.root.x).cross(force);
+    const double unit = c.section.EA * double(c.links) * 0x1p-52;
+    const auto compare = [&](Measurement& out, const Vec6& end, const Vec3<double>& f,
+                             const Vec3<double>& m) {
+      out.include(reference::largest_entry<double>(Vec3<double>(end.head<3>() - f)) / unit, "force");
+      out.include(reference::largest_entry<double>(Vec3<double>(end.tail<3>() - m)) / (unit * c.length),
+                  "moment");
+    };
+    compare(tip, (*held)[1], force, moment);
+    compare(root, (*held)[0], -force, -about_root);
+  }
+  const auto judged = [&](const char* end, const Measurement& off, double limit, const char* why) {
+    return finding(fmt::format("chains/{}/ends/{}/{}", entry.name, what, end))
+        .about("chains")
+        .of(std::string(entry.name), "linear_angular")
+        .measured(off)
+        .in("eps of EA/h L")
+        .at_most(limit, why)
+        .by(Oracle::closed_form);
+  };
+  std::vector<Finding> out{judged("tip", tip, 64, "as of one joint's balance")};
+  if (entry.has_potential(Kind::linear_angular))
+    out.push_back(judged("root", root, 64 * 12, "as of one joint's balance, of twelve nodes on the way"));
+  return out;
+}
+
 /// Both ends held: what the support is said to do is what the last joint needs, at the pose that was asked
 /// for.
 std::vector<Finding> held(const Entry& entry) {
@@ -126,7 +136,9 @@ std::vector<Finding> balanced(const Entry& entry) {
                                 .follower_moment = {-0.3, 0.4, 0.6},
                                 .virial = kDeadForces};
     const char* what = order == chain::NodeOrder::root_first ? "root_first" : "tip_first";
-    out.push_back(judged_balance(entry, what, c, loads, chain::solve(c, loads)));
+    const chain::Solution found = chain::solve(c, loads);
+    out.push_back(judged_balance(entry, what, c, loads, found));
+    for (const Finding& f : ends(entry, what, c, loads, found)) out.push_back(f);
   }
   for (const Finding& f : held(entry)) out.push_back(f);
   return out;

@@ -178,6 +178,12 @@ time = 1
 invariant = { balance = "1" }
 )";
 
+constexpr const char* kFromStartToTime =
+    "start = { u = [\"1 mm\", 0, 0], spin = [0, 0, 1] }\n\n[[joint]]\nname = \"pin\"\nbetween = [\"ground\", "
+    "\"b\"]\nkind = \"linear_angular\"\ndamping = [1, 2, 3, 4, 5, 6]\n[joint.law]\ntype = "
+    "\"linear\"\nstiffness = [1, 2, 3, 4, 5, 6]\n\n[[load]]\ntype = \"follower_force\"\nvalue = [0, 0, "
+    "1]\ntimes = [0, 0.5]\nfactors = [1, 0]\n\n[time]";
+
 constexpr Broken kBrokenMotions[] = {
     {"time_key", "time.step_size = ", "points = 4", "step_size = 1 #!"},
     {"time_duration_missing", "time.duration = nothing", "[time]\nduration = 1", "[time] #!"},
@@ -187,6 +193,7 @@ constexpr Broken kBrokenMotions[] = {
     {"time_integrator_unknown", "time.integrator = ", "points = 4", "integrator = \"newmark\" #!"},
     {"time_tolerance_small", "time.tolerance = ", "tolerance = 1e-8", "tolerance = 1e-15 #!"},
     {"time_tolerance_text", "time.tolerance = ", "tolerance = 1e-8", "tolerance = \"fine\" #!"},
+    {"time_start_unknown", "time.start = ", "points = 4", "start = \"static\" #!"},
     {"time_step_of_runge_kutta", "time.step = ", "tolerance = 1e-8", "step = 0.01 #!"},
     {"time_splitting_without_step", "time.step = nothing",
      "[time]\nduration = 1\npoints = 4\ntolerance = 1e-8",
@@ -219,6 +226,10 @@ constexpr Broken kBrokenMotions[] = {
      "start = { theta = [\"1 mm\", 0, 0] } #!"},
     {"start_two_spins", "body[1].start.spin_body = ", "start = { u = [\"1 mm\", 0, 0], spin = [0, 0, 1] }",
      "start = { spin_body = [0, 0, 1], spin = [0, 0, 1] } #!"},
+    {"start_where_equilibrium_is", "body[1].start.u = ", kFromStartToTime,
+     "start = { u = [\"1 mm\", 0, 0] } #!\n\n[[joint]]\nname = \"pin\"\nbetween = [\"ground\", "
+     "\"b\"]\nkind = \"linear_angular\"\n[joint.law]\ntype = \"linear\"\nstiffness = [1, 2, 3, 4, 5, "
+     "6]\n\n[time]\nstart = \"equilibrium\""},
     {"start_of_turning_body", "body[1].start.u = ", "start = { u = [\"1 mm\", 0, 0], spin = [0, 0, 1] }",
      "free = \"rotation\"\nstart = { u = [\"1 mm\", 0, 0] } #!"},
     {"start_of_moving_body", "body[1].start.spin = ", "start = { u = [\"1 mm\", 0, 0], spin = [0, 0, 1] }",
@@ -240,7 +251,9 @@ constexpr Broken kBrokenMotions[] = {
     {"load_times_without_factors", "load[1].factors = nothing",
      "[[load]]\ntype = \"follower_force\"\nvalue = [0, 0, 1]\ntimes = [0, 0.5]\nfactors = [1, 0]",
      "[[load]] #!\ntype = \"follower_force\"\nvalue = [0, 0, 1]\ntimes = [0, 0.5]"},
-    {"load_times_back", "load[1].times = ", "times = [0, 0.5]", "times = [0.5, 0.5] #!"},
+    {"load_times_back", "load[1].times = ", "times = [0, 0.5]", "times = [0.5, 0.4] #!"},
+    {"load_times_thrice", "load[1].times = ", "times = [0, 0.5]\nfactors = [1, 0]",
+     "times = [0.5, 0.5, 0.5] #!\nfactors = [1, 0, 1]"},
     {"load_times_negative", "load[1].times = ", "times = [0, 0.5]", "times = [-1, 0.5] #!"},
     {"load_factors_one", "load[1].factors = ", "factors = [1, 0]", "factors = [1] #!"},
     {"output_of_modes", "outputs[4] = ", "\"balance\"]", "\"frequency_1\"] #!"},

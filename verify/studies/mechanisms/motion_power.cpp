@@ -1,5 +1,6 @@
 // Scenes in time: what dampers take, moment by moment and over a motion; momenta of bodies that nothing
 // holds.
+#include "reference/mechanism/motion/beginning.hpp"
 #include "reference/mechanism/motion/moving_scene.hpp"
 #include "reference/scene/any_scene.hpp"
 #include "reference/scene/joint/convexity.hpp"
@@ -64,7 +65,8 @@ Power power_of(const MovingScene& moving, const Moving& now, std::size_t j) {
 /// of no energy, and the damper's alone is compared.
 Measurement power_off(const Entry& entry, bool has_potential) {
   const MechanismScene scene = generic_motion(entry);
-  const MovingScene moving(scene, {&entry, entry.probe_xi});
+  const reference::Choice choice{&entry, entry.probe_xi};
+  const MovingScene moving(scene, choice, reference::mechanism::beginning(scene, choice).nodes);
   Measurement out;
   reference::dynamics::State state = moving.start();
   for (int i = 0; i < 4; ++i) {

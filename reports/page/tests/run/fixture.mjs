@@ -151,7 +151,13 @@ export const chainFixture = () => {
       return [x, turn ? (1 - Math.cos(angle)) / turn : 0, 0, ...about(Z, angle)];
     });
   const whole = curve('invariant', 2);
-  const curves = [{...whole, poses: whole.rows.map(([f]) => shape(f / 5)), holding: []}];
+  const curves = [
+    {
+      ...whole,
+      poses: whole.rows.map(([f]) => shape(f / 5)),
+      holding: whole.rows.map(([f]) => [-f, f].map((m) => [0, 0, 0, 0, 0, m]))
+    }
+  ];
   const bodies = shape(0).map((rest, i) => ({name: `node ${i}`, clamped: i === 0, rest}));
   return runFixture({
     ...{bodies, joints: [], curves},

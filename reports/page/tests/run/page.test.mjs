@@ -208,6 +208,16 @@ test('what holds the nodes follows the slider; what does not balance is said', {
   })
 );
 
+test('a chain: what holds its ends', {skip}, () =>
+  open({at: 'chain'}, async (page) => {
+    const rows = await page.locator('#holding tbody tr').allTextContents();
+    assert.equal(rows.length, 2);
+    assert.match(/** @type {string} */ (rows[0]), /^node 0/);
+    assert.match(/** @type {string} */ (rows[1]), /^node 32/);
+    assert.match(await page.locator('#holding').textContent(), /Forces balance/);
+  })
+);
+
 test('a motion: the time under the slider, its energies, what the joints exert', {skip}, () =>
   open({at: 'motion'}, async (page) => {
     assert.match(await page.locator('.run-slider output').textContent(), /time 10 s of 10/);
