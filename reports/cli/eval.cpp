@@ -89,7 +89,8 @@ void answer_all(int threads) {
   InputLines input(kLongestLine, read_input);
   std::vector<InputLines::Line> lines;
   // Beyond the longest line's bytes they would be taken for one.
-  const std::size_t enough = threads > 1 ? std::min(std::size_t(threads) * kOfOneThread, kLongestLine / 2) : 0;
+  const std::size_t enough =
+      threads > 1 ? std::min(std::size_t(threads) * kOfOneThread, kLongestLine / 2) : 0;
   do {
     while (input.unread() < enough && is_ready() && input.read_more()) {
     }

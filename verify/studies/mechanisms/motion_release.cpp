@@ -1,5 +1,6 @@
 // Scenes in time that begin at the equilibrium of their loads: rest while these are held, release, a jump on
 // the way, and what is said where there is no such equilibrium.
+#include "reference/mechanism/solve.hpp"
 #include "verify/oracle/property.hpp"
 #include "verify/oracle/saboteurs/tap.hpp"
 #include "verify/oracle/worst.hpp"
@@ -82,7 +83,7 @@ MechanismScene by_printed_poses(const Entry& entry, MechanismScene moving) {
   return moving;
 }
 
-Measurement roads_apart(const Entry& entry) {
+Measurement released_apart(const Entry& entry) {
   const MechanismScene scene = let_go(entry);
   const Curve released = reference::solve_motion(scene, {&entry, entry.probe_xi});
   const Curve other = reference::solve_motion(by_printed_poses(entry, scene), {&entry, entry.probe_xi});
@@ -196,7 +197,7 @@ void motion_release(Checks& checks) {
         .by(Oracle::closed_form);
   });
   add_property(checks, "motion_let_go", {Kind::linear_angular}, [](const Entry& entry, Kind, Draft f) {
-    return f.measured(roads_apart(entry))
+    return f.measured(released_apart(entry))
         .in("m or rad")
         .at_most(1e-12, "from starts that differ by rounding, and so in the same steps but for rounding")
         .by(Oracle::independent);
