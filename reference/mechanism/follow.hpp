@@ -61,7 +61,8 @@ class Follower {
   NewtonRun<T> attempt(Reached<T>& out, const Stage<T>& stage, const T& factor) const;
   void look_at_start();
   State<T> ahead_of(const Reached<T>& from, const T& factor) const;
-  bool is_near(const Reached<T>& from, const Equations<T>& found, const Moved<T>& moved) const;
+  bool is_near(const Reached<T>& from, const State<T>& found, const Vector<T>& error,
+               const Moved<T>& moved) const;
   T largest_turn(const Poses<T>& from, const Poses<T>& to) const;
   void settle_holds();
 

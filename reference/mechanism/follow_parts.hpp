@@ -141,13 +141,31 @@ State<T> Follower<T>::ahead_of(const Reached<T>& from, const T& factor) const {
 
 /// So near that a change of sign on the way is a branching on the path, and not the other side of a fold.
 template <class T>
-bool Follower<T>::is_near(const Reached<T>& from, const Equations<T>& found, const Moved<T>& moved) const {
-  const T limit = SolverOptions<T>{}.crossing_turn;
-  T shift(0);
-  for (std::size_t i = 0; i < from.state.at.size(); ++i)
-    keep_largest(shift, T((found.state().at[i].x - from.state.at[i].x).norm()));
-  return largest_turn(from.state.at, found.state().at) <= limit &&
-         shift <= limit * (moved.shift + found.length());
+bool Follower<T>::is_near(const Reached<T>& from, const State<T>& found, const Vector<T>& error,
+                          const Moved<T>& moved) const {
+  T shift(0), turn_error(0), shift_error(0);
+  for (std::size_t i = 0; i < from.state.at.size(); ++i) {
+    const Vec6<T> own = model_.of_body(error, model_.bodies()[i]);
+    keep_largest(turn_error, T(own.template tail<3>().norm()));
+    keep_largest(shift_error, T(own.template head<3>().norm()));
+    keep_largest(shift, T((found.at[i].x - from.state.at[i].x).norm()));
+  }
+  const T share = SolverOptions<T>{}.crossing;
+  return largest_turn(from.state.at, found.at) <= share * std::min(T(1), moved.turn) + turn_error &&
+         shift <= share * moved.shift + shift_error;
+}
+
+/// What is foretold may be within rounding as it is estimated, which is wider than what Newton's method
+/// leaves.
+template <class T>
+NewtonRun<T> corrected(Equations<T>& system, int most_corrections) {
+  NewtonRun<T> run = newton<T>(system, most_corrections);
+  if (run.stop != NewtonStop::rounding || run.corrections > 0) return run;
+  system.move();
+  const NewtonLook<T> look = system.look();
+  run.corrections = 1;
+  if (!look.is_rounding && !look.may_be_rounding) run.stop = NewtonStop::stalled;
+  return run;
 }
 
 template <class T>
@@ -187,7 +205,7 @@ NewtonRun<T> Follower<T>::attempt(Reached<T>& out, const Stage<T>& stage, const 
   const T foretold = largest_turn(out.state.at, ahead.at);
   Equations<T> system(model_, stage, resting_, holds_, factor,
                       foretold <= options.largest_turn ? ahead : out.state);
-  NewtonRun<T> run = newton<T>(system, options.corrections_per_step);
+  NewtonRun<T> run = corrected(system, options.corrections_per_step);
   out.iterations += run.corrections;
   if (run.stop != NewtonStop::rounding && run.stop != NewtonStop::stalled) return run;
   const Vector<T> error = system.error();
@@ -196,7 +214,7 @@ NewtonRun<T> Follower<T>::attempt(Reached<T>& out, const Stage<T>& stage, const 
   const bool is_state = run.stop == NewtonStop::rounding || within(T(kCoarse));
   const bool is_ours = largest_turn(out.state.at, system.state().at) <= options.largest_turn &&
                        is_foretold(largest_turn(ahead.at, system.state().at), foretold, options) &&
-                       (system.sign() * out.sign >= 0 || is_near(out, system, moved));
+                       (system.sign() * out.sign >= 0 || is_near(out, system.state(), error, moved));
   run.stop = is_state && is_ours ? NewtonStop::rounding : NewtonStop::stalled;
   if (run.stop != NewtonStop::rounding) return run;
   out.status = within(options.accuracy) ? Status::converged : Status::inaccurate;

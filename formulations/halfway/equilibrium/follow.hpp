@@ -138,7 +138,7 @@ class PathFollower {
     const bool is_state = run.stop == NewtonStop::rounding || within(T(kCoarse));
     const bool is_ours = turn_between(out_.joint, system.joint()) <= options_.largest_turn &&
                          is_foretold(turn_between(ahead, system.joint()), foretold, options_) &&
-                         (system.sign() * out_.sign >= 0 || is_near(system));
+                         (system.sign() * out_.sign >= 0 || is_near(system.joint(), error));
     run.stop = is_state && is_ours ? NewtonStop::rounding : NewtonStop::stalled;
     if (run.stop == NewtonStop::rounding) accept(factor, system, error, within(options_.accuracy));
     return run;
@@ -158,11 +158,12 @@ class PathFollower {
 
   /// So near to the last accepted state that a change of sign between them is a branching on the path, and
   /// not the other side of a fold.
-  bool is_near(const System& system) const {
-    const Pose<T>& joint = system.joint();
-    const T reach = std::max(T(joint.x.norm()), T(out_.joint.x.norm())) + system.length();
-    return turn_between(out_.joint, joint) <= options_.crossing_turn &&
-           T((joint.x - out_.joint.x).norm()) <= options_.crossing_turn * reach;
+  bool is_near(const Pose<T>& joint, const Motion<T>& error) const {
+    const T turned = std::max(turn_between({}, joint), turn_between({}, out_.joint));
+    const T moved = std::max(T(joint.x.norm()), T(out_.joint.x.norm()));
+    return turn_between(out_.joint, joint) <=
+               options_.crossing * std::min(T(1), turned) + error.template tail<3>().norm() &&
+           T((joint.x - out_.joint.x).norm()) <= options_.crossing * moved + error.template head<3>().norm();
   }
 
   /// rad

@@ -24,9 +24,10 @@ struct SolverOptions {
   T accuracy = std::max(T(1e-9), T(4096) * T(Eigen::NumTraits<T>::epsilon()));
   T smallest_step = T(1e-9);  ///< of the load factor, relative to the whole advance
   T largest_turn = T(0.35);   ///< rad between accepted states; a longer step may change branch
-  /// rad between accepted states whose tangents' determinants differ in sign. A path that branches there is
-  /// followed through in such steps; one that folds has no state ahead, and what is found is of another.
-  T crossing_turn = T(0.02);
+  /// Of the motion so far, and rad at most, between accepted states whose tangents' determinants differ in
+  /// sign. A path that branches there is followed through in such steps; one that folds has no state ahead,
+  /// and what is found is of another.
+  T crossing = T(0.02);
   int corrections_per_step = 12;
   int most_iterations = 20000;  ///< of one advance, rejected steps included: a path that creeps has an end
 };
@@ -36,7 +37,7 @@ struct SolverOptions {
 /// @param off  rad, of the state found from the one foretold    @param foretold  rad, the step foretold
 template <class T>
 bool is_foretold(const T& off, const T& foretold, const SolverOptions<T>& options) {
-  return off <= std::max(foretold, options.crossing_turn);
+  return off <= std::max(foretold, options.crossing);
 }
 
 /// From one load factor to another. Steps are halved when Newton fails or turns a joint too far, and doubled

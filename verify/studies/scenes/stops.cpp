@@ -162,7 +162,7 @@ std::vector<Finding> all_named(const Entry& entry) {
 /// Load steps that take whatever is within 0.35 rad jump over the fold of `jointc`.
 std::vector<Finding> long_steps() {
   SolverOptions<double> trusting;
-  trusting.crossing_turn = trusting.largest_turn;
+  trusting.crossing = trusting.largest_turn;
   return {finding("stops/long_steps/told")
               .about("stops")
               .measured(elsewhere(scene("c3_buckling"), *reference::find_formulation("jointc"), trusting))
