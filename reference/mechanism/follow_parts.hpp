@@ -155,15 +155,15 @@ bool Follower<T>::is_near(const Reached<T>& from, const State<T>& found, const V
          shift <= share * moved.shift + shift_error;
 }
 
-/// What is foretold may be within rounding as it is estimated, which is wider than what Newton's method
-/// leaves.
+/// Newton's method ends within rounding as it is estimated, direction by direction; beside stiff directions
+/// that is wide, and one more correction gets to what double holds.
 template <class T>
 NewtonRun<T> corrected(Equations<T>& system, int most_corrections) {
   NewtonRun<T> run = newton<T>(system, most_corrections);
-  if (run.stop != NewtonStop::rounding || run.corrections > 0) return run;
+  if (run.stop != NewtonStop::rounding) return run;
   system.move();
   const NewtonLook<T> look = system.look();
-  run.corrections = 1;
+  ++run.corrections;
   if (!look.is_rounding && !look.may_be_rounding) run.stop = NewtonStop::stalled;
   return run;
 }
