@@ -211,9 +211,7 @@ test('what holds the nodes follows the slider; what does not balance is said', {
 test('a chain: what holds its ends', {skip}, () =>
   open({at: 'chain'}, async (page) => {
     const rows = await page.locator('#holding tbody tr').allTextContents();
-    assert.equal(rows.length, 2);
-    assert.match(/** @type {string} */ (rows[0]), /^node 0/);
-    assert.match(/** @type {string} */ (rows[1]), /^node 32/);
+    assert.match(rows.join('; '), /^node 0[^;]*; node 32[^;]*$/);
     assert.match(await page.locator('#holding').textContent(), /Forces balance/);
   })
 );
