@@ -133,9 +133,7 @@ class Walk {
 };
 
 bool goes_on(const Follower<double>& path) {
-  const Status status = path.reached().status;
-  return path.floats().empty() && path.held_reached() >= 1 &&
-         (status == Status::converged || status == Status::inaccurate);
+  return path.floats().empty() && path.held_reached() >= 1 && is_equilibrium(path.reached().status);
 }
 
 /// Of the tangent at the start; 0 where it is singular there.

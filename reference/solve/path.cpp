@@ -16,7 +16,7 @@ void Path<T>::leave_play(double factor) {
   const EquilibriumProblem<T> problem(soft, play_->entry, play_->xi, play_->setting);
   const Outcome<T> near = problem.follow_to(problem.initial(), T(factor));
   const Outcome<T> found = problem_.equilibrium_near(near.joint, T(factor));
-  const bool is_found = found.status == Status::converged || found.status == Status::inaccurate;
+  const bool is_found = is_equilibrium(found.status);
   if (is_found)
     state_ = found;
   else

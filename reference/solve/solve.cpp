@@ -58,15 +58,11 @@ void add_state(const Scene& scene, const Path<double>& path, Curve& curve) {
   curve.poses.push_back({path.node()});
 }
 
-bool goes_on(const Outcome<double>& state) {
-  return state.status == Status::converged || state.status == Status::inaccurate;
-}
-
 void follow_path(const Scene& scene, const Entry& entry, const Told& told, Curve& curve) {
   Path<double> path(scene, entry, curve.xi);
   const double radius = convex_radius(entry, scene.joint);
   add_state(scene, path, curve);
-  for (int i = 1; i <= scene.points && goes_on(path.state()); ++i) {
+  for (int i = 1; i <= scene.points && is_equilibrium(path.state().status); ++i) {
     path.advance(scene.factor_end * i / scene.points);
     if (const double phi = so3::log(path.state().joint.R).norm(); phi > radius) {
       curve.cause = beyond_convexity(phi, radius);

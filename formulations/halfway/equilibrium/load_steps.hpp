@@ -18,6 +18,11 @@ enum class Status {
   no_convergence     ///< no load step, however small, converges on the same branch
 };
 
+/// Was a state of equilibrium reached, whatever digits of it are known?
+inline bool is_equilibrium(Status status) {
+  return status == Status::converged || status == Status::inaccurate;
+}
+
 template <class T>
 struct SolverOptions {
   /// Relative error of the motion up to which an answer counts as converged.

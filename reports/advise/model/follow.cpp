@@ -37,8 +37,6 @@ void follow_linear(const Scene& scene, const Scene& own, Answers& out) {
         scene, own.outputs, [&](const std::string& output) { return path.linear_output(output, factor); }));
 }
 
-bool goes_on(Status status) { return status == Status::converged || status == Status::inaccurate; }
-
 /// Where loads in float put the equilibrium next to that of double: one step of Newton with them.
 Pose<double> in_float(const reference::EquilibriumProblem<double>& single, const Pose<double>& joint,
                       double factor) {
@@ -56,7 +54,7 @@ void follow_path(const Scene& scene, const Scene& own, const Candidate& c, bool 
   const double radius = reference::convex_radius(*c.entry, own.joint);
   for (const double factor : out.factor) {
     const auto& state = path.advance(factor);
-    if (!goes_on(state.status)) {
+    if (!is_equilibrium(state.status)) {
       out.ended = to_string(reference::stop_cause(path.problem(), state));
       return;
     }

@@ -123,7 +123,7 @@ Answers model_again(const Scene& scene, const Candidate& c, const std::vector<do
   for (const double factor : factors) {
     if (c.entry) {
       const auto& state = path.advance(factor);
-      if (state.status != Status::converged && state.status != Status::inaccurate) break;
+      if (!is_equilibrium(state.status)) break;
       if (so3::log(state.joint.R).norm() > radius) break;
     }
     std::vector<double> row;

@@ -1,24 +1,14 @@
 #include "reports/identify/tests/promises.hpp"
 
-#include "reference/scene/text/document.hpp"
 #include "reports/identify/read_other.hpp"
+#include "reports/tests/fuzz/refusal_promise.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace halfway::reports::test {
 namespace {
-
-std::string broken_by(const reference::Refusal& refusal, std::string_view text) {
-  const std::string said = refusal.what();
-  if (said.empty() || said.size() > 2000) return fmt::format("a refusal of {} bytes", said.size());
-  const auto lines = 1 + std::ranges::count(text, '\n');
-  if (refusal.line < 1 || refusal.line > lines)
-    return fmt::format("line {} of {}: {}", refusal.line, lines, said);
-  return "";
-}
 
 std::string broken_by(const reference::identify::Data& data) {
   if (data.cases.empty()) return "no case and no refusal";

@@ -5,24 +5,15 @@
 #include "reports/import/readers/readers.hpp"
 #include "reports/import/scene/scene_text.hpp"
 #include "reports/import/scene/spread.hpp"
+#include "reports/tests/fuzz/refusal_promise.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 
 namespace halfway::imports::test {
 namespace {
-
-std::string broken_by(const reference::Refusal& refusal, std::string_view text) {
-  const std::string said = refusal.what();
-  if (said.empty() || said.size() > 2000) return fmt::format("a refusal of {} bytes", said.size());
-  const auto lines = 1 + std::ranges::count(text, '\n');
-  if (refusal.line < 1 || refusal.line > lines)
-    return fmt::format("line {} of {}: {}", refusal.line, lines, said);
-  return "";
-}
 
 bool is_rotation(const Mat3<double>& R) {
   return (R * R.transpose() - Mat3<double>::Identity()).norm() < 2e-3 && R.determinant() > 0;
@@ -76,7 +67,7 @@ std::string broken_promise(std::string_view text) {
       if (const std::string broken = broken_by(joint); !broken.empty()) return broken;
     }
   } catch (const reference::Refusal& refusal) {
-    return broken_by(refusal, text);
+    return reports::test::broken_by(refusal, text);
   } catch (const std::exception& error) {
     return fmt::format("another exception: {}", error.what());
   }

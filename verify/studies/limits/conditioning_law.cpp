@@ -52,7 +52,7 @@ ErrorRow solve_error(const Entry& entry, const Scene& scene, ErrorRow row) {
   Path<double> path(scene, entry, scene.joint.xi);
   const auto& state = path.advance(1);
   // An answer that says that it has fewer digits is one: how many, is measured here.
-  if (state.status != Status::converged && state.status != Status::inaccurate) {
+  if (!is_equilibrium(state.status)) {
     row.error = std::nan("");
     row.note = state.status == Status::singular_tangent ? "singular tangent" : "no convergence";
     return row;

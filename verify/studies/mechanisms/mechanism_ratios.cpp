@@ -48,7 +48,7 @@ Accuracy accuracy(const Entry& entry, double ratio) {
     const double found = ratio > 1e10 ? tapped(0.0) : std::nan("");
     return {found, found, "refused: " + path.floats()};
   }
-  if (status != Status::converged && status != Status::inaccurate) return {};
+  if (!is_equilibrium(status)) return {};
   if (exact.advance(Real50(1)).status != Status::converged) return {};
   Accuracy out{0, std::nan(""), status == Status::converged ? "converged" : "beyond what double resolves"};
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {

@@ -17,13 +17,12 @@ namespace {
 using reference::MechanismScene;
 using reference::Scene;
 
-bool goes_on(Status status) { return status == Status::converged || status == Status::inaccurate; }
-
 /// The load factor where the way of the bodies ends, by so many points.
 double end_of(const MechanismScene& scene, const Entry& entry, double to, int points) {
   const reference::mechanism::Model<double> model(scene, entry, entry.probe_xi);
   reference::mechanism::Follower<double> follower(model);
-  for (int i = 1; i <= points && goes_on(follower.reached().status); ++i) follower.advance(to * i / points);
+  for (int i = 1; i <= points && is_equilibrium(follower.reached().status); ++i)
+    follower.advance(to * i / points);
   return follower.reached().factor;
 }
 

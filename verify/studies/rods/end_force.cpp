@@ -72,8 +72,7 @@ ForceErrors measured(const Entry& entry, Where where) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Scene scene = joint_scene(kForces[i], where);
     reference::Path<double> path(scene, entry, entry.probe_xi);
-    const Status status = path.advance(1).status;
-    const bool there = status == Status::converged || status == Status::inaccurate;
+    const bool there = is_equilibrium(path.advance(1).status);
     const Vec3<double> theta = so3::log<double>(path.node().R);
     out[i] = there ? (theta - truth(i, where)).norm() / truth(i, where).norm()
                    : std::numeric_limits<double>::quiet_NaN();

@@ -34,10 +34,6 @@ Scene moment_scene(const Vec3<double>& stiffness, const Vec3<double>& moment) {
   return out;
 }
 
-bool arrived(const Outcome<double>& state) {
-  return state.status == Status::converged || state.status == Status::inaccurate;
-}
-
 constexpr double kSkewStep = 5, kSkewEnd = 1800;  // N m: as the scene
 
 SkewMoment made_skew_moment() {
@@ -61,7 +57,7 @@ Followed followed(const Entry& entry) {
   Followed out;
   for (std::size_t i = 0; i < truth.moment.size(); ++i) {
     const auto& state = path.advance(truth.moment[i]);
-    if (!arrived(state)) break;
+    if (!is_equilibrium(state.status)) break;
     const Vec3<double> theta = so3::log<double>(path.node().R);
     if (theta.norm() > radius) break;  // refused from here on
     out.error.push_back((theta - truth.rod[i]).norm() / truth.rod_angle[i]);
@@ -108,7 +104,7 @@ Spread spread(const Entry& entry, const RandomMoments& of) {
   for (std::size_t i = 0; i < all.moment.size(); ++i) {
     const Scene scene = moment_scene(of.stiffness, all.moment[i]);
     reference::Path<double> path(scene, entry, entry.probe_xi);
-    const bool there = arrived(path.advance(1));
+    const bool there = is_equilibrium(path.advance(1).status);
     out.lost += !there;
     const Mat3<double> apart = all.rod[i].transpose() * path.node().R;
     errors.push_back(there ? so3::log<double>(apart).norm() / so3::log<double>(all.rod[i]).norm()
